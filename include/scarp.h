@@ -1303,8 +1303,8 @@ SCARP_API const char *scarp_gullies_fault(const struct scarp_gullies *gullies, c
  *     }
  *     struct scarp_samples out = {.value = height, .dx = dx, .dy = dy};
  *     struct scarp_recipe_outputs outputs = {.count = 1, .out = &out};
- *     static uint64_t memory[65536 / 8];
- *     struct scarp_scratch scratch = {.memory = memory, .size = sizeof memory};
+ *     struct scarp_scratch scratch = {.size = scarp_recipe_scratch_size(&recipe, 1, 0)};
+ *     scratch.memory = malloc(scratch.size);
  *     scarp_recipe_grid(&recipe, &grid, &outputs, &scratch);
  *
  * Threads: any number of threads may read one recipe at a time, each with scratch memory of its
@@ -1478,8 +1478,8 @@ struct scarp_recipe_outputs {
  * a coordinate is NaN or infinite, outputs are NaN, except behind a mask that is 0, which hides it.
  *
  * Scratch memory: `scratch` may be NULL, or have NULL for memory. Then the call takes 8 KiB more of
- * the stack, and works in small chunks. scarp_recipe_scratch_size tells the size for chunks of so
- * many points. Chunks of about 1,000 points are best.
+ * the stack, and works in small chunks. scarp_recipe_scratch_size gives the size that is best for
+ * large calls, and the size for chunks of so many points.
  *
  * Errors:
  *
@@ -1521,8 +1521,9 @@ SCARP_API enum scarp_status scarp_recipe_grid(const struct scarp_recipe *recipe,
                                               const struct scarp_scratch *scratch);
 
 /* scarp_recipe_scratch_size - bytes of scratch memory for chunks of `points` points of the outputs
-   of the text, with derivatives up to `order`, from 0 to 2. 0 if *recipe is no recipe, or has
-   errors, if the order does not exist, or if so many points do not fit into memory. */
+   of the text, with derivatives up to `order`, from 0 to 2. With 0 points, the bytes that are best
+   for large calls; smaller calls need only what their points take. 0 if *recipe is no recipe, or
+   has errors, if the order does not exist, or if so many points do not fit into memory. */
 SCARP_API size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, int order,
                                            size_t points);
 

@@ -89,12 +89,20 @@ static void check_scratch_size(void)
     CHECK(scarp_recipe_scratch_size(&recipe, 2, 16) > scarp_recipe_scratch_size(&recipe, 0, 16) &&
               scarp_recipe_scratch_size(&recipe, 0, 16) > 0,
           "it grows with derivatives");
-    CHECK(scarp_recipe_scratch_size(&recipe, -1, 16) == 0 &&
-              scarp_recipe_scratch_size(&recipe, 3, 16) == 0,
-          "orders that there are not");
-    CHECK(scarp_recipe_scratch_size(NULL, 0, 16) == 0 &&
-              scarp_recipe_scratch_size(&none, 0, 16) == 0,
-          "no recipe");
+    for (int order = 0; order < 3; order++) {
+        const size_t best = scarp_recipe_scratch_size(&recipe, order, 0);
+        CHECK(best > scarp_recipe_scratch_size(&recipe, order, 1024) &&
+                  best <= scarp_recipe_scratch_size(&recipe, order, 65536),
+              "0 points stand for a large call: %zu bytes", best);
+    }
+    for (size_t points = 0; points <= 16; points += 16) {
+        CHECK(scarp_recipe_scratch_size(&recipe, -1, points) == 0 &&
+                  scarp_recipe_scratch_size(&recipe, 3, points) == 0,
+              "orders that there are not");
+        CHECK(scarp_recipe_scratch_size(NULL, 0, points) == 0 &&
+                  scarp_recipe_scratch_size(&none, 0, points) == 0,
+              "no recipe");
+    }
     CHECK(scarp_recipe_scratch_size(&recipe, 0, SIZE_MAX / 65536 + 1) == 0, "too many points");
 }
 

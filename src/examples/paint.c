@@ -89,7 +89,7 @@ static void read_recipe(struct painter *p, const char *path, uint64_t seed)
         p->is_space = p->is_space || (entry.output == 0 && (entry.axes & 4) != 0);
     }
     must(scarp_recipe_range(&p->recipe, SCARP_RECIPE_OUTPUT, NULL, &p->lowest, &p->highest));
-    p->scratch.size = scarp_recipe_scratch_size(&p->recipe, 1, PIECE / 4);
+    p->scratch.size = scarp_recipe_scratch_size(&p->recipe, 1, 0);
     p->scratch.memory = malloc(p->scratch.size);
     if (p->scratch.memory == NULL) {
         fail(EXIT_FAILURE, "not enough memory");

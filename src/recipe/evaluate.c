@@ -13,6 +13,7 @@
 #define GRANULE 16       /* registers have room for a multiple of this many points */
 #define PIECE 64         /* columns of a grid that go through the steps together */
 #define MOST_POINTS 4096 /* of a register: more would leave the caches */
+#define BEST_POINTS 4096 /* that scratch memory should have room for, in large calls */
 
 /* The machine lies in the scratch memory, too, since kernels need nearly all the stack of a call.
  */
@@ -43,7 +44,7 @@ size_t scarpi_recipe_bytes(const struct recipe *recipe, const struct recipe_sche
 {
     const int highest = order + schedule->extra < 2 ? order + schedule->extra : 2;
     return bytes_for((size_t)schedule->registers, arrays_of(recipe->dimensions, highest),
-                     recipe->dimensions, points);
+                     recipe->dimensions, points > 0 ? points : BEST_POINTS);
 }
 
 void scarpi_recipe_raise_orders(const struct recipe *recipe, const struct recipe_schedule *schedule,

@@ -35,7 +35,8 @@ int scarpi_recipe_order_of(const struct scarp_samples *out, int dimensions);
 void scarpi_recipe_raise_orders(const struct recipe *recipe, const struct recipe_schedule *schedule,
                                 uint8_t order_of[RECIPE_NODES]);
 
-/* Bytes that registers for so many points take, with derivatives up to an order. */
+/* Bytes that registers for so many points take, with derivatives up to an order; for 0 points, those
+   that are best for large calls. */
 size_t scarpi_recipe_bytes(const struct recipe *recipe, const struct recipe_schedule *schedule,
                            int order, size_t points);
 
