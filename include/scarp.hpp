@@ -7,7 +7,7 @@
  *
  * scarp.h has the contracts: units, ranges, errors, structures. Here are sample, vector, cells,
  * curl, grid2, grid3, gullies and chain, each also as try_sample and so on, and the classes
- * kept_noise and recipe. Other calls are used as they are in C. What is added here:
+ * kept_noise, recipe and scratch. Other calls are used as they are in C. What is added here:
  *
  * - Sizes are checked before anything is written. A span of points has as many elements as there
  *   are points, a span of a grid at least as many as there are from its first sample to its last.
@@ -15,11 +15,12 @@
  *   is not computed.
  * - A function throws a scarp::error, or aborts where exceptions are off. Functions whose names
  * begin with try_ are noexcept, and return a scarp::result.
- * - A recipe owns its memory, and a kept_noise its plan. Nothing else allocates.
+ * - A recipe owns its memory, a kept_noise its plan, and a scratch what recipes are sampled in, of
+ *   which each thread has one. Nothing else allocates.
  *
  * Calls keep no span after they return. The noise that noise.warp points to stays the caller's. Any
- * thread may call any function at any time, but a recipe serves one thread at a time: give each
- * thread its own.
+ * thread may call any function at any time. Any number of threads may sample or copy one object, if
+ * none changes it meanwhile.
  */
 #ifndef SCARP_HPP
 #define SCARP_HPP
@@ -318,7 +319,8 @@ inline asked asked_of(const scarp_samples *c, int count) noexcept
     asked all;
     for (int i = 0; i < count; i++, c++) {
         const bool second = c->dxx || c->dxy || c->dxz || c->dyy || c->dyz || c->dzz;
-        all = {second ? 2 : all.order, c->dphase || all.dphase};
+        const int order = second ? 2 : c->dx || c->dy || c->dz ? 1 : 0;
+        all = {std::max(order, all.order), c->dphase || all.dphase};
     }
     return all;
 }
@@ -492,13 +494,53 @@ class kept_noise
     scarp_noise noise_;
 };
 
-/* A recipe, with its 64 KiB and the scratch memory that its calls use. It can be moved. Calls for
-   an empty recipe, or one that was moved from, give SCARP_ERROR_NULL. */
+/* Memory that recipes are sampled in. It grows to the best size for the calls that it serves, of one
+   thread at a time. Each thread has one already; make another to say how long its memory stays. */
+class scratch
+{
+  public:
+    scratch() noexcept = default;
+    scratch(scratch &&) noexcept = default;
+    scratch &operator=(scratch &&) noexcept = default;
+
+    /* For a call for so many points. If there is no memory, the call works in small chunks. */
+    scarp_scratch of(const scarp_recipe *recipe, int order, std::size_t points) noexcept
+    {
+        const std::size_t best = scarp_recipe_scratch_size(recipe, order, 0);
+        const std::size_t few =
+            scarp_recipe_scratch_size(recipe, order, std::max<std::size_t>(points, 1));
+        const std::size_t size = few > 0 && few < best ? few : best;
+        if (size > size_ || !memory_) {
+            memory_.reset(new (std::nothrow) std::byte[size]);
+            size_ = memory_ ? size : 0;
+        }
+        return {.memory = memory_.get(), .size = std::min(size, size_)};
+    }
+
+    static scratch &of_thread() noexcept
+    {
+        static thread_local scratch own;
+        return own;
+    }
+
+  private:
+    std::unique_ptr<std::byte[]> memory_;
+    std::size_t size_ = 0;
+};
+
+/* A recipe, with its 64 KiB. Copies are recipes of their own. Any number of threads may sample one.
+   Calls for an empty recipe, or one that was moved from, give SCARP_ERROR_NULL. */
 class recipe
 {
   public:
     recipe() noexcept = default;
     explicit recipe(std::string_view text) { load(text).check(); }
+    recipe(recipe &&) noexcept = default;
+    recipe &operator=(recipe &&) noexcept = default;
+    recipe(const recipe &other) : c_(other.c_ ? std::make_unique<scarp_recipe>(*other.c_) : nullptr)
+    {
+    }
+    recipe &operator=(const recipe &other) { return *this = recipe(other); }
 
     /* Reads a text. If it has errors, the recipe stays as it was; the result has the first one. */
     result load(std::string_view text) noexcept
@@ -555,25 +597,34 @@ class recipe
 
     /* Samples at points, or on a grid, which are in space if the recipe is. `out` has an element
        for each output of the text that is wanted, from the first one on. */
-    result try_sample(const points &at, std::span<const samples> out) noexcept
+    result try_sample(const points &at, std::span<const samples> out,
+                      scratch &memory = scratch::of_thread()) const noexcept
     {
-        const auto call = [&](auto *outputs, auto *scratch) {
+        const auto call = [&](auto *outputs, auto *room) {
             const auto [x, y, z] = at.f;
             const auto [u, v, w] = at.d;
-            return u ? scarp_recipe_sample_f64(c_.get(), at.count, u, v, w, outputs, scratch)
-                     : scarp_recipe_sample(c_.get(), at.count, x, y, z, outputs, scratch);
+            return u ? scarp_recipe_sample_f64(c_.get(), at.count, u, v, w, outputs, room)
+                     : scarp_recipe_sample(c_.get(), at.count, x, y, z, outputs, room);
         };
-        return run(detail::sizes_of(at), call, out);
+        return run(detail::sizes_of(at), call, out, memory);
     }
-    result try_grid(const scarp_grid &grid, std::span<const samples> out) noexcept
+    result try_grid(const scarp_grid &grid, std::span<const samples> out,
+                    scratch &memory = scratch::of_thread()) const noexcept
     {
-        const auto call = [&](auto *outputs, auto *scratch) {
-            return scarp_recipe_grid(c_.get(), &grid, outputs, scratch);
+        const auto call = [&](auto *outputs, auto *room) {
+            return scarp_recipe_grid(c_.get(), &grid, outputs, room);
         };
-        return run(detail::sizes_of(grid, is_flat() ? 2 : 3), call, out);
+        return run(detail::sizes_of(grid, is_flat() ? 2 : 3), call, out, memory);
     }
-    void sample(const points &at, const samples &out) { try_sample(at, {&out, 1}).check(); }
-    void grid(const scarp_grid &grid, const samples &out) { try_grid(grid, {&out, 1}).check(); }
+    void sample(const points &at, const samples &out, scratch &memory = scratch::of_thread()) const
+    {
+        try_sample(at, {&out, 1}, memory).check();
+    }
+    void grid(const scarp_grid &grid, const samples &out,
+              scratch &memory = scratch::of_thread()) const
+    {
+        try_grid(grid, {&out, 1}, memory).check();
+    }
 
   private:
     static result told(scarp_status status, const scarp_recipe_error &e) noexcept
@@ -585,30 +636,22 @@ class recipe
         scarp_recipe_entry entry;
         return scarp_recipe_entry_at(c_.get(), 0, &entry) == SCARP_OK && entry.dimensions == 2;
     }
-    /* Makes the scratch memory large enough, and calls. Without it, the call works in small chunks.
-     */
     template <class Call>
-    result run(detail::sizes of, Call call, std::span<const samples> out) noexcept
+    result run(detail::sizes of, Call call, std::span<const samples> out,
+               scratch &memory) const noexcept
     {
-        const std::size_t chunk = std::min<std::size_t>(of.count, 1024);
-        const std::size_t size = scarp_recipe_scratch_size(c_.get(), 2, chunk);
-        if (size > size_ || !scratch_) {
-            scratch_.reset(new (std::nothrow) std::byte[size]);
-            size_ = scratch_ ? size : 0;
-        }
         const int count =
             static_cast<int>(std::min<std::size_t>(out.size(), 17)); /* 16 are allowed */
         const auto with_memory = [&](const scarp_samples *c) {
+            const int order = detail::asked_of(c, std::min(count, 16)).order;
             const scarp_recipe_outputs outputs{.out = c, .count = count};
-            const scarp_scratch scratch{.memory = scratch_.get(), .size = size_};
-            return result{call(&outputs, &scratch)};
+            const scarp_scratch room = memory.of(c_.get(), order, of.count);
+            return result{call(&outputs, &room)};
         };
         return detail::run(of, with_memory, out);
     }
 
     std::unique_ptr<scarp_recipe> c_;
-    std::unique_ptr<std::byte[]> scratch_;
-    std::size_t size_ = 0;
 };
 
 } // namespace v0_2

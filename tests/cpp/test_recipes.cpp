@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Recipes of scarp.hpp: the bits of C in the plane and in space, sizes, errors at their place, and
- * what becomes of a recipe that is moved.
+ * Recipes of scarp.hpp: the bits of C in the plane and in space, sizes, scratch memory, errors at
+ * their place, threads, and what becomes of a recipe that is moved or copied.
  */
+#include <thread>
+
 #include "check.hpp"
 
 namespace
@@ -246,9 +248,93 @@ void check_moves()
         CHECK(value == same);
     }
     static_assert(std::is_nothrow_move_constructible_v<scarp::recipe> &&
-                  !std::is_copy_constructible_v<scarp::recipe>);
+                  std::is_nothrow_move_assignable_v<scarp::recipe>);
     static_assert(noexcept(r.load({})) &&noexcept(r.try_set("", 0)) &&noexcept(
         r.try_sample(scarp::points(x, y), {})) &&noexcept(r.try_grid({}, {})));
+}
+
+/* A copy is a recipe of its own: what is changed in one is not in the other. */
+void check_copies()
+{
+    const auto x = coordinates<float>(COUNT, 7.1), y = coordinates<float>(COUNT, -3.7);
+    scarp::recipe r(FLAT);
+    r.seed(9);
+    arrays before(1, COUNT), higher(1, COUNT), found(1, COUNT);
+    r.sample({x, y}, {.value = before[0]});
+    scarp::recipe copy = r, assigned(SPACE);
+    assigned = copy;
+    copy.set("height", 700);
+    copy.sample({x, y}, {.value = higher[0]});
+    CHECK(!(higher == before));
+    r.sample({x, y}, {.value = found[0]});
+    CHECK(found == before);
+    r = scarp::recipe();
+    assigned.sample({x, y}, {.value = found[0]});
+    CHECK(found == before);
+    const scarp::recipe &itself = copy;
+    copy = itself;
+    copy.sample({x, y}, {.value = found[0]});
+    CHECK(found == higher);
+    const scarp::recipe none = r;
+    CHECK(none.get() == nullptr);
+    copy = none;
+    CHECK(copy.get() == nullptr);
+}
+
+/* Calls have as much scratch memory as they need, of the thread or of an object. */
+void check_scratch()
+{
+    const scarp::recipe r(FLAT);
+    scarp::scratch own;
+    for (const int order : {1, 2, 0}) {
+        const std::size_t best = scarp_recipe_scratch_size(r.get(), order, 0);
+        CHECK(own.of(r.get(), order, 100).size == scarp_recipe_scratch_size(r.get(), order, 100));
+        CHECK(own.of(r.get(), order, 1000000).size == best);
+        CHECK(own.of(r.get(), order, std::numeric_limits<std::size_t>::max()).size == best);
+        CHECK(own.of(r.get(), order, 0).size == scarp_recipe_scratch_size(r.get(), order, 1));
+    }
+    const void *const memory = own.of(r.get(), 2, 1000000).memory;
+    CHECK(own.of(r.get(), 0, 1).memory == memory);
+    const auto x = coordinates<float>(COUNT, 7.1), y = coordinates<float>(COUNT, -3.7);
+    const scarp_grid grid{.step = {3, 4}, .count = {70, 50}};
+    arrays found(2, COUNT), expected(2, COUNT), on_grid(1, 3500), grid_expected(1, 3500);
+    const scarp::samples out{.value = found[0], .dyy = found[1]};
+    r.sample({x, y}, {.value = expected[0], .dyy = expected[1]});
+    r.sample({x, y}, out, own);
+    CHECK(found == expected && own.of(r.get(), 0, 1).memory == memory);
+    r.grid(grid, {.value = grid_expected[0]});
+    r.grid(grid, {.value = on_grid[0]}, own);
+    CHECK(on_grid == grid_expected);
+    scarp::scratch moved = std::move(own);
+    CHECK(moved.of(r.get(), 2, 1000000).memory == memory);
+    r.sample({x, y}, out, own);
+    CHECK(found == expected && own.of(r.get(), 0, 1).memory != memory);
+}
+
+/* Threads share one recipe, with no other memory than their own. */
+void check_threads()
+{
+    constexpr std::size_t THREADS = 4;
+    const auto x = coordinates<float>(COUNT, 7.1), y = coordinates<float>(COUNT, -3.7);
+    const scarp::recipe r(FLAT);
+    arrays expected(2, COUNT);
+    r.sample({x, y}, {.value = expected[0], .dx = expected[1]});
+    std::vector<arrays> found(THREADS, arrays(2, COUNT));
+    std::vector<std::thread> threads;
+    for (arrays &each : found) {
+        threads.emplace_back([&] {
+            for (std::size_t i = 0; i < 2000; i++) { /* all at once, then point by point */
+                r.sample({x, y}, {.value = each[0], .dx = each[1]});
+                each[0][i] = each[1][i] = arrays::mark;
+                const auto one = [i](auto &all) { return std::span(all).subspan(i, 1); };
+                r.sample({one(x), one(y)}, {.value = one(each[0]), .dx = one(each[1])});
+            }
+        });
+    }
+    for (std::size_t i = 0; i < THREADS; i++) {
+        threads[i].join();
+        CHECK(found[i] == expected);
+    }
 }
 
 } // namespace
@@ -262,5 +348,8 @@ int main()
     check_parameters();
     check_errors();
     check_moves();
+    check_copies();
+    check_scratch();
+    check_threads();
     return failures == 0 ? 0 : 1;
 }

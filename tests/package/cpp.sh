@@ -28,7 +28,7 @@ echo '#include <scarp.hpp>' >"$dir/alone.cpp"
 strict "$cxx_compiler" -fno-exceptions -fno-rtti -fsyntax-only "$dir/alone.cpp"
 for test in calls recipes; do
     # shellcheck disable=SC2086 # words
-    strict "$cxx_compiler" $c_flags "../cpp/test_$test.cpp" "$library" $link_flags \
+    strict "$cxx_compiler" -pthread $c_flags "../cpp/test_$test.cpp" "$library" $link_flags \
         "-Wl,-rpath,$(dirname "$library")" -lm -o "$dir/$test"
     run "$dir/$test" || fail "$test"
     if [ -n "$nm" ] && "$nm" "$dir/$test" | grep -E '[^0-9]5scarp' | grep -v '5scarp[0-9]*v[0-9]'; then
