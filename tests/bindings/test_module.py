@@ -509,6 +509,50 @@ class Recipes(unittest.TestCase):
             tile = recipe.grid((4, 5), 30.0, output=recipe.outputs)[0].value
             self.assertTrue(lowest <= tile.min() <= tile.max() <= highest, name)
 
+    def test_few_points(self):
+        """Single points have the bits of many, of a field that needs more memory than the outputs,
+        too."""
+        noises = "".join("n%d = noise(size=3, seed=%d)\n" % (i, i) for i in range(1, 30))
+        whole = " + ".join("n%d" % i for i in range(1, 30))
+        many = " + ".join("n%d * sum" % i for i in range(1, 30))
+        recipe = scarp.Recipe("recipe 1\n%ssum = %s\nmany = %s\nout a = x" % (noises, whole, many))
+        x = np.arange(20.0)
+        for output in ("a", "many"):
+            all_ = recipe.at(x, -x, derivatives=2, output=output)
+            for i in range(20):
+                one = recipe.at(x[i], -x[i], derivatives=2, output=output)
+                for name in ("value", "dx", "dyy"):
+                    equal(getattr(one, name), getattr(all_, name)[i])
+
+    def test_copies(self):
+        recipe = scarp.Recipe(TEXT, seed=3, high=20)
+        before = recipe.grid((5, 6)).value
+        for other in (copy.copy(recipe), copy.deepcopy(recipe)):
+            other.high = 40
+            equal(other.grid((5, 6)).value, 2 * before)
+            equal(recipe.grid((5, 6)).value, before)
+
+    def test_shared(self):
+        """Threads share a recipe, for large calls and for single points."""
+        recipe, x = scarp.preset("alps", seed=3), np.arange(5000.0) * 7
+        want, wrong = recipe.at(x, -x, derivatives=1), []
+
+        def sample(first):
+            for i in range(first, first + 50):
+                one = recipe.at(x[i:i + 1], -x[i:i + 1], derivatives=1)
+                if one.value[0] != want.value[i] or one.dx[0] != want.dx[i]:
+                    wrong.append(i)
+                if recipe.at(x, -x).value.tobytes() != want.value.tobytes():
+                    wrong.append(-1)
+
+        pool = [threading.Thread(target=sample, args=(i,)) for i in range(4)]
+        for thread in pool:
+            thread.start()
+        for thread in pool:
+            thread.join()
+        self.assertEqual(wrong, [])
+        equal(recipe.at(x, -x, threads=4).value, want.value)
+
     def test_threads(self):
         """A recipe changes while others sample it: every result is one of the two."""
         recipe = scarp.Recipe(TEXT, high=10)

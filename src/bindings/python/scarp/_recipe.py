@@ -17,7 +17,7 @@ _Error, _Entry, _Outputs, _Scratch, _Samples, _Box = (STRUCTURES["scarp_" + name
     "recipe_error", "recipe_entry", "recipe_outputs", "scratch", "samples", "box"))
 _Words = ctypes.c_uint64 * (ctypes.sizeof(STRUCTURES["scarp_recipe"]) // 8)
 ERRORS = 32     # how many errors of a text are told
-CHUNK = 1024    # points for which scratch memory has room
+MOST_SCRATCH = 2 ** 28  # bytes that calls are tried with
 FIELDS = tuple(ENUMS["scarp_recipe_kind"]["SCARP_RECIPE_" + kind] for kind in ("FIELD", "NOISE"))
 
 Param = namedtuple("Param", "value lowest highest")
@@ -253,11 +253,11 @@ class Recipe:
         members = members_of(dimensions, orders)
         return names, several_, [Outputs(shape, members, o) for o in given]
 
-    def _run(self, names, orders, outputs, call):
-        """A function of a band, with its own structures and scratch memory."""
+    def _run(self, names, orders, outputs, each, call):
+        """A function of a band, which has `each` points per row, or per point: with its own
+        structures and scratch memory."""
         memory, entries = self._memory, self._entries
         which = (ctypes.c_int32 * len(names))(*[entries[name][0] for name in names])
-        size = lib.scarp_recipe_scratch_size(ctypes.addressof(memory), orders, CHUNK)
 
         def band(start, stop, offset):
             out = (_Samples * len(names))()
@@ -265,12 +265,17 @@ class Recipe:
                 o.fill(of, offset)
             asked = _Outputs(out=ctypes.addressof(out), which=ctypes.addressof(which),
                              count=len(names))
-            scratch = np.empty(max(size // 8, 1), np.uint64)
-            room = _Scratch(memory=scratch.ctypes.data, size=8 * scratch.size)
             here = ctypes.addressof(memory), start, stop, ctypes.addressof(asked)
-            status = call(*here, ctypes.addressof(room))
-            # Fields that are no outputs may need more room: the call's own stack always has it.
-            return status if status != STATUS["SCARP_ERROR_SIZE"] else call(*here, None)
+            best, few = (lib.scarp_recipe_scratch_size(here[0], orders, points)
+                         for points in (0, max((stop - start) * each, 1)))
+            size, status = min(best, few or best), STATUS["SCARP_ERROR_SIZE"]
+            # That is the size for outputs of the text. Other fields may need more.
+            while status == STATUS["SCARP_ERROR_SIZE"] and size <= MOST_SCRATCH:
+                scratch = np.empty(size // 8 + 1, np.uint64)
+                room = _Scratch(memory=scratch.ctypes.data, size=8 * scratch.size)
+                status = call(*here, ctypes.addressof(room))
+                size = max(2 * size, 8192)
+            return status
         return band
 
     def grid(self, shape, step=1.0, origin=None, first=None, *, derivatives=0, output=None,
@@ -293,9 +298,10 @@ class Recipe:
             grid = raster.structure(plain, start, stop)
             return lib.scarp_recipe_grid(recipe, ctypes.addressof(grid), asked, room)
 
-        run = self._run(names, orders, outputs, call)
+        each = int(np.prod(raster.shape[1:], dtype=float))
+        run = self._run(names, orders, outputs, each, call)
         status = in_bands(lambda start, stop: run(start, stop, raster.offset(plain, start)),
-                          raster.shape[0], int(np.prod(raster.shape[1:], dtype=float)), threads)
+                          raster.shape[0], each, threads)
         return self._results(status, several_, outputs, raster.shape, raster.extent)
 
     def at(self, x, y, z=None, *, derivatives=0, output=None, out=None, threads=1):
@@ -311,7 +317,7 @@ class Recipe:
             where = given.pointers(start) + [None] * (3 - len(given.arrays))
             return function(recipe, stop - start, *where, asked, room)
 
-        run = self._run(names, orders, outputs, call)
+        run = self._run(names, orders, outputs, 1, call)
         status = in_bands(lambda start, stop: run(start, stop, start), given.count, 1, threads)
         return self._results(status, several_, outputs, given.shape, None)
 
