@@ -157,6 +157,53 @@ fn a_field_of_many_parts() -> Result {
     Ok(())
 }
 
+/// Threads share a recipe, for large calls and for single points.
+#[test]
+fn a_recipe_in_threads() -> Result {
+    fn is_shared<T: Send + Sync>(_: &T) {}
+    const MANY: usize = 5000;
+    let recipe = Recipe::preset("alps")?;
+    is_shared(&recipe);
+    let x: Vec<f64> = (0..MANY).map(|i| i as f64 * 7.0).collect();
+    let mut expected = Arrays::plane(MANY, 1);
+    recipe.sample2(&x, &x, &mut [("alps", expected.samples())], &mut Scratch::new())?;
+    std::thread::scope(|scope| {
+        for thread in 0..4 {
+            let (recipe, x, expected) = (&recipe, &x, &expected);
+            scope.spawn(move || {
+                let (mut scratch, mut out) = (Scratch::new(), Arrays::plane(MANY, 1));
+                let mut point = Arrays::plane(1, 1);
+                for i in (0..MANY).skip(thread).step_by(100) {
+                    recipe.sample2(x, x, &mut [("alps", out.samples())], &mut scratch).unwrap();
+                    assert!(out == *expected);
+                    let at = &x[i..i + 1];
+                    recipe.sample2(at, at, &mut [("alps", point.samples())], &mut scratch).unwrap();
+                    assert_eq!((point.value[0], point.dx[0]), (out.value[i], out.dx[i]));
+                }
+            });
+        }
+    });
+    Ok(())
+}
+
+/// A clone is a recipe of its own.
+#[test]
+fn a_clone_of_a_recipe() -> Result {
+    let recipe = Recipe::preset("alps")?;
+    let height = recipe.get("height").unwrap();
+    let mut other = recipe.clone();
+    other.set("height", 2.0 * height)?;
+    other.set_seed(8)?;
+    assert_eq!((recipe.get("height"), recipe.seed()), (Some(height), 0));
+    let of = |recipe: &Recipe| -> Result<Arrays> {
+        let mut out = Arrays::plane(COUNT, 0);
+        recipe.sample2(&axis(7), &axis(11), &mut [("alps", out.samples())], &mut Scratch::new())?;
+        Ok(out)
+    };
+    assert!(of(&recipe)? == of(&Recipe::preset("alps")?)? && of(&recipe)? != of(&other)?);
+    Ok(())
+}
+
 /// Functions that take or give other members than most
 #[test]
 fn functions() {

@@ -9,7 +9,6 @@ use crate::grid::Grid;
 
 const MOST_OUTPUTS: usize = 16;
 const MOST_SCRATCH: usize = 1 << 26; // bytes
-const CHUNK: usize = 1024; // points for which scratch memory has room
 
 /// Memory that calls of recipes use while they run. Keep one for each thread: calls then allocate
 /// nothing, but for the first one.
@@ -40,7 +39,7 @@ impl Scratch {
         }
         ffi::scarp_scratch {
             memory: self.0.as_mut_ptr().cast(),
-            size: 8 * self.0.len(),
+            size: 8 * words,
             ..Default::default()
         }
     }
@@ -172,9 +171,12 @@ impl Recipe {
             count: outputs.len() as i32,
             ..Default::default()
         };
-        let points = sizes.count.clamp(1, CHUNK);
         // SAFETY: the pointer is valid.
-        let bytes = unsafe { ffi::scarp_recipe_scratch_size(&*self.c, order, points) };
+        let bytes_of = |points| unsafe { ffi::scarp_recipe_scratch_size(&*self.c, order, points) };
+        let bytes = match (bytes_of(sizes.count.max(1)), bytes_of(0)) {
+            (0, best) => best, // more points than memory has room for
+            (few, best) => few.min(best),
+        };
         let mut status = call(&asked, &scratch.c(bytes));
         // That is the size for outputs of the text. Other fields may need more.
         let mut more = bytes.max(8192);
