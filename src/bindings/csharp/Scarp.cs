@@ -1370,9 +1370,7 @@ namespace Scarp
     {
         const int MostErrors = 32;
 
-        // Points of the outputs that scratch memory has room for. So it has room for some points of
-        // any other field: that has at most as many parts as a text can have.
-        const int Chunk = 1024;
+        const int MostScratch = 1 << 28; // bytes that calls are tried with
 
         struct Entry
         {
@@ -1752,27 +1750,39 @@ namespace Scarp
                                          "recipes have no derivative with respect to the phase");
             }
             var asked = new Native.scarp_recipe_outputs { which = which, count = count };
-            int size = (int)Native.scarp_recipe_scratch_size(now.Pointer, order,
-                                                             (UIntPtr)(uint)Chunk);
-            if (scratch == null || scratch.Length < size / 8 + 1) {
-                scratch = new ulong[size / 8 + 1];
-            }
-            fixed (ulong* memory = scratch) {
-                var room = new Native.scarp_scratch {
-                    memory = memory, size = (UIntPtr)(uint)(8 * scratch.Length)
-                };
-                r->recipe = now.Pointer;
-                r->outputs = &asked;
-                r->scratch = &room;
-                Native.scarp_samples* into = stackalloc Native.scarp_samples[2];
-                Status status = Request.Pin(r, into, 0, count, to, second, default(Samples),
-                                            default(Samples));
-                GC.KeepAlive(now.block);
-                if (status != Status.Ok) {
-                    throw new ScarpException(status, r->grid != null && status == Status.Parameter
-                                             ? "grid" : null);
+            r->recipe = now.Pointer;
+            r->outputs = &asked;
+            Native.scarp_samples* into = stackalloc Native.scarp_samples[2];
+            // That is the size for outputs of the text. Other fields may need more.
+            long size = ScratchSize(now, order, r->length);
+            Status status = Status.Size;
+            for (; status == Status.Size && size <= MostScratch; size = Math.Max(2 * size, 8192)) {
+                if (scratch == null || scratch.Length < size / 8 + 1) {
+                    scratch = new ulong[size / 8 + 1];
+                }
+                fixed (ulong* memory = scratch) {
+                    var room = new Native.scarp_scratch {
+                        memory = memory, size = (UIntPtr)(ulong)(size / 8 * 8 + 8)
+                    };
+                    r->scratch = &room;
+                    status = Request.Pin(r, into, 0, count, to, second, default(Samples),
+                                         default(Samples));
                 }
             }
+            GC.KeepAlive(now.block);
+            if (status != Status.Ok) {
+                throw new ScarpException(status, r->grid != null && status == Status.Parameter
+                                         ? "grid" : null);
+            }
+        }
+
+        // The best size for outputs of the text, or less if fewer points do with that.
+        static long ScratchSize(State now, int order, long points)
+        {
+            ulong best = (ulong)Native.scarp_recipe_scratch_size(now.Pointer, order, UIntPtr.Zero);
+            ulong few = (ulong)Native.scarp_recipe_scratch_size(now.Pointer, order,
+                                                                (UIntPtr)(ulong)Math.Max(points, 1));
+            return (long)(few > 0 && few < best ? few : best);
         }
 
         /// <summary>The interval that values of an output, or another field, never leave: at all

@@ -323,6 +323,51 @@ static class Mistakes
         Task.WaitAll(tasks);
     }
 
+    // Threads share a recipe, for large calls and for single points. A field that is no output has
+    // memory for these, too: all its noises are held until their sum is there.
+    static void Shared()
+    {
+        const int Many = 5000;
+        string text = "recipe 1\n", sum = "0", all = "0";
+        for (int i = 1; i < 24; i++) {
+            text += "n" + i + " = noise(size=30, seed=" + i + ")\n";
+            sum += " + n" + i;
+            all += " + n" + i + " * sum";
+        }
+        var recipe = new Recipe(text + "sum = " + sum + "\nall = " + all + "\nout a = 2 * n1");
+        var x = new double[Many];
+        for (int i = 0; i < Many; i++) {
+            x[i] = 7 * i;
+        }
+        Task[] tasks = new Task[4];
+        float[] a = new float[Many], many = new float[Many], slope = new float[Many];
+        recipe.Sample2(x, x, new Samples { Value = a, Dx = slope });
+        recipe.Sample2(x, x, new Samples { Value = many }, "all");
+        for (int t = 0; t < tasks.Length; t++) {
+            int first = t;
+            tasks[t] = Task.Run(() => {
+                var value = new float[Many];
+                float[] one = new float[1], dx = new float[1], dyy = new float[1];
+                for (int i = first; i < Many; i += 100) {
+                    recipe.Sample2(x, x, new Samples { Value = value });
+                    if (!new Span<float>(value).SequenceEqual(a)) {
+                        throw new Exception("a call of one of many threads has other values");
+                    }
+                    ReadOnlySpan<double> at = new ReadOnlySpan<double>(x, i, 1);
+                    recipe.Sample2(at, at, new Samples { Value = one, Dx = dx });
+                    if (one[0] != a[i] || dx[0] != slope[i]) {
+                        throw new Exception("a point has another value than among others");
+                    }
+                    recipe.Sample2(at, at, new Samples { Value = one, Dyy = dyy }, "all");
+                    if (one[0] != many[i]) {
+                        throw new Exception("a point of a field has another value");
+                    }
+                }
+            });
+        }
+        Task.WaitAll(tasks);
+    }
+
     static void Versions()
     {
         foreach (string version in new[] {
@@ -346,6 +391,7 @@ static class Mistakes
         Pinned();
         Recipes();
         Threads();
+        Shared();
         Versions();
         Console.WriteLine(count + " mistakes are told");
     }
