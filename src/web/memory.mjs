@@ -31,11 +31,16 @@ export class Memory {
         this.u32 = new Uint32Array(this.buffer);
         this.free = [{ at: start, size: Math.floor((start + arrays) / ALIGN) * ALIGN - start }];
         this.used = new Map(); // from where a block is to its size
+        this.work = { at: 0, size: 0 };
     }
 
     allocate(bytes) {
         const size = Math.max(Math.ceil(bytes / ALIGN), 1) * ALIGN;
         const i = this.free.findIndex((block) => block.size >= size);
+        if (i < 0 && this.work.size > 0) {
+            this.dropWorkspace();
+            return this.allocate(bytes);
+        }
         if (i < 0) {
             throw new RangeError(
                 `no ${bytes} bytes are left in one piece: load scarp with more, ` +
@@ -70,6 +75,24 @@ export class Memory {
                 one.size += next.size;
                 this.free.splice(k + 1, 1);
             }
+        }
+    }
+
+    // The block that calls work in, one for all: of so many bytes, or of what is left in one piece.
+    // It gives way to other blocks, between calls.
+    workspace(bytes) {
+        if (this.work.size < bytes) {
+            this.dropWorkspace();
+            const size = Math.min(bytes, Math.max(0, ...this.free.map((block) => block.size)));
+            this.work = size > 0 ? { at: this.allocate(size), size } : { at: 0, size: 0 };
+        }
+        return this.work;
+    }
+
+    dropWorkspace() {
+        if (this.work.size > 0) {
+            this.release(this.work.at);
+            this.work = { at: 0, size: 0 };
         }
     }
 

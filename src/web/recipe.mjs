@@ -32,8 +32,10 @@ import { checkOverlaps } from './memory.mjs';
 
 const DESCRIPTION_SIZE = Math.max(ENTRY.SIZE, PART.SIZE, FUNCTION.SIZE);
 const ERRORS = 64; // that are told at most
-const SCRATCH = 256 * 1024; // bytes: about a thousand points of a large recipe
+const SCRATCH = 256 * 1024; // bytes, for a text with errors: some points of any field
+const MOST_SCRATCH = 2 ** 26; // bytes that calls are tried with
 const MOST = 16; // outputs
+const ORDERS = { dx: 1, dy: 1, dz: 1, dxx: 2, dxy: 2, dxz: 2, dyy: 2, dyz: 2, dzz: 2 };
 // Names of enumerators, as they are called here: 'glsl', 'field'
 const wordsOf = (enumerators) =>
     Object.keys(enumerators).map((name) => name.replace(/^.*_/, '').toLowerCase());
@@ -125,7 +127,7 @@ export class Recipe {
         this.#text = String(text);
         const rest = ERRORS * ERROR.SIZE + DESCRIPTION_SIZE + OUTPUTS.SIZE + STORE.SIZE;
         const numbers = MOST * ARRAYS_SIZE + 4 * MOST + BOX.SIZE;
-        this.#at = memory.allocate(RECIPE.SIZE + rest + numbers + SCRATCH);
+        this.#at = memory.allocate(RECIPE.SIZE + rest + numbers);
         try {
             this.#parse(isTolerant);
         } catch (error) {
@@ -184,8 +186,6 @@ export class Recipe {
         }
         new Uint8Array(memory.buffer, this.#outputs, OUTPUTS.SIZE + STORE.SIZE).fill(0);
         view.setUint32(this.#outputs + OUTPUTS.out, this.#samples, true);
-        view.setUint32(this.#scratch + STORE.memory, this.#box + BOX.SIZE, true);
-        view.setUint32(this.#scratch + STORE.size, SCRATCH, true);
     }
 
     #span(at) {
@@ -437,9 +437,10 @@ export class Recipe {
         if (grid.empty) {
             return out;
         }
+        const points = grid.count.reduce((all, count) => all * count, 1);
         const call = (from, size, rowStride, sliceStride) => {
             putGrid(memory.view, at, grid, from, size, rowStride, sliceStride);
-            this.#tools.expect(
+            this.#run(points, out, () =>
                 exports.scarp_recipe_grid(this.#live(), at, this.#outputs, this.#scratch),
             );
         };
@@ -467,9 +468,31 @@ export class Recipe {
         const call = exports[isDouble ? 'scarp_recipe_sample_f64' : 'scarp_recipe_sample'];
         memory.run(count, uses, (n) => {
             const [x, y, z = 0] = slots.map((slot) => memory.u32[slot >> 2]);
-            this.#tools.expect(call(this.#live(), n, x, y, z, this.#outputs, this.#scratch));
+            this.#run(n, out, () =>
+                call(this.#live(), n, x, y, z, this.#outputs, this.#scratch),
+            );
         });
         return out;
+    }
+
+    // Calls with scratch memory of the best size for the outputs of the text, or less if fewer
+    // points do with that. Other fields may need more.
+    #run(points, out, call) {
+        const { exports, memory, expect } = this.#tools;
+        const orders = [out].flat().flatMap(Object.keys).map((name) => ORDERS[name] ?? 0);
+        const [best, few] = [0, Math.min(Math.max(points, 1), 2 ** 31 - 1)].map(
+            (many) => exports.scarp_recipe_scratch_size(this.#live(), Math.max(0, ...orders), many),
+        );
+        let bytes = best === 0 ? SCRATCH : few > 0 && few < best ? few : best;
+        for (let status = STATUS.SIZE; status === STATUS.SIZE; bytes = Math.max(2 * bytes, 8192)) {
+            const { at, size } = memory.workspace(bytes);
+            memory.view.setUint32(this.#scratch + STORE.memory, at, true);
+            memory.view.setUint32(this.#scratch + STORE.size, Math.min(size, bytes), true);
+            status = call();
+            if (status !== STATUS.SIZE || bytes > MOST_SCRATCH) {
+                expect(status);
+            }
+        }
     }
 
     // What a call writes that is given a capacity and says a size: `call` takes place, capacity and

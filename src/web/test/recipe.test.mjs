@@ -233,3 +233,45 @@ test('plans of vector noise have octaves for each component', () => {
         member: 'octaves',
     });
 });
+
+test('calls work in memory of the best size, and in less where there is no more', async () => {
+    const sum = Array.from({ length: 23 }, (_, i) => `n${i}`).join(' + ');
+    const noises = Array.from({ length: 23 }, (_, i) => `n${i} = noise(size=30, seed=${i})\n`);
+    const all = Array.from({ length: 23 }, (_, i) => `n${i} * sum`).join(' + ');
+    const text = `recipe 1\n${noises.join('')}sum = ${sum}\nall = ${all}\nout a = 2 * n1\n`;
+    const grid = { count: [100, 80], step: [3, 4] },
+        names = ['value', 'dx', 'dyy'];
+    const sample = (recipe, which) => {
+        const arrays = (length) =>
+            Object.fromEntries(names.map((name) => [name, new Float32Array(length)]));
+        const out = arrays(8000),
+            one = arrays(1);
+        recipe.grid(grid, out, { which });
+        recipe.sample2(new Float64Array([3 * 99]), new Float64Array([4 * 79]), one, { which });
+        names.forEach((name) => assert.equal(one[name][0], out[name][7999]));
+        return out;
+    };
+    const tight = await load({ memory: 130 * 1024 });
+    const large = scarp.recipe(text),
+        inside = tight.recipe(text);
+    for (const { index, name } of large.entries.filter(({ name }) => /^(a|all)$/.test(name))) {
+        assert.deepEqual(sample(inside, index), sample(large, index), name);
+    }
+    tight.alloc(Float32Array, 8000); // what calls work in gives way
+    assert.throws(() => tight.alloc(Float32Array, 8000), RangeError);
+    large.free();
+});
+
+test('recipes share what calls work in, and change apart', () => {
+    const [a, b] = [scarp.recipe(LAND), scarp.recipe(LAND)];
+    const value = () => new Float32Array(5000);
+    const grid = { count: [100, 50], step: [9, 9] };
+    const before = a.grid(grid, { value: value() }).value;
+    b.set('height', 180);
+    const higher = b.grid(grid, { value: value() }).value;
+    assert.notDeepEqual(higher, before);
+    assert.deepEqual(a.grid(grid, { value: value() }).value, before);
+    a.free();
+    assert.deepEqual(b.grid(grid, { value: value() }).value, higher);
+    b.free();
+});
