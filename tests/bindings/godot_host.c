@@ -154,9 +154,9 @@ static void check_class(void)
         const char *name;
         int arguments, optional;
     } methods[] = {
-        {"parse", 1, 0},    {"set_seed", 1, 0}, {"set_param", 2, 0}, {"range", 1, 1},
-        {"at", 3, 1},       {"grid", 6, 1},     {"normals", 6, 1},   {"shader", 2, 0},
-        {"uniforms", 0, 0}, {"answers", 1, 0},
+        {"parse", 1, 0},     {"set_seed", 1, 0}, {"set_param", 2, 0}, {"set_tile", 3, 0},
+        {"set_scale", 2, 0}, {"range", 1, 1},    {"at", 3, 1},        {"grid", 6, 1},
+        {"normals", 6, 1},   {"shader", 2, 0},   {"uniforms", 0, 0},  {"answers", 1, 0},
     };
     CHECK(strcmp(class.name, "ScarpRecipe") == 0, "%s", class.name);
     CHECK(strcmp(class.parent, "RefCounted") == 0, "%s", class.parent);
@@ -180,6 +180,8 @@ static void check_nothing(void)
     check_refused(call_status("uniforms", NULL, 0, NULL), none);
     CHECK(strcmp(said(CALL("shader", string(""), integer(0))), "") == 0 && errors > 0, "shader");
     CHECK(strcmp(said(CALL("set_param", string("height"), number(1))), none) == 0, "set_param");
+    CHECK(strcmp(said(CALL("set_tile", number(8), number(8), number(0))), none) == 0, "set_tile");
+    CHECK(strcmp(said(CALL("set_scale", number(2), number(2))), none) == 0, "set_scale");
     struct variant value = CALL("at", number(0), number(0));
     CHECK(isnan(value.as.number), "at gives %g", value.as.number);
     errors = 0;
@@ -242,6 +244,12 @@ static void check_refusals(void)
     CHECK(strstr(text, "height = -1: ") == text, "%s", text);
     text = said(CALL("set_param", string("depth"), number(1)));
     CHECK(strstr(text, "depth = 1: ") == text, "%s", text);
+    text = said(CALL("set_scale", number(0), number(1)));
+    CHECK(strcmp(text, "scale 0, 1: factors are from 2^-40 to 2^40") == 0, "%s", text);
+    text = said(CALL("set_tile", number(-1), number(1), number(0)));
+    CHECK(strcmp(text, "tile -1, 1: no lengths of a tile") == 0, "%s", text);
+    text = said(CALL("set_tile", number(500), number(500), number(0)));
+    CHECK(strstr(text, "tile 500, 500: ") == text && strstr(text, " would do") != NULL, "%s", text);
     errors = 0;
 
     GDExtensionCallError status = {GDEXTENSION_CALL_OK, 0, 0};
@@ -266,7 +274,7 @@ static void check_raster(const struct scarp_recipe *recipe, int width, int heigh
     float *expected = malloc(6 * count * sizeof(float));
     float *dx = expected + count, *dy = dx + count, *n = dy + count;
     struct scarp_grid grid = {
-        .origin = {-1e7, 31.25}, .step = {0.3, 0.3}, .count = {(size_t)width, (size_t)height}};
+        .origin = {-1e7, 31.25}, .step = {0.3, 0.3}, .count = {(size_t)width, (size_t)height, 1}};
     struct scarp_samples out[2] = {{.value = NULL}};
     out[which] = (struct scarp_samples){.value = expected, .dx = dx, .dy = dy};
     struct scarp_recipe_outputs outputs = {.out = out, .count = which + 1};
@@ -336,6 +344,35 @@ static void check_shader_text(const struct scarp_recipe *recipe, const char *pat
     free(text);
 }
 
+/* Tile and scale are those of the library; a new text has neither. */
+static void check_changes(void)
+{
+    const char *text = "recipe 1\nout a = noise(size=8)\nout mask = noise(size=4)\n";
+    const char *space = "recipe 1\nspace 3\nout a = noise(size=8)\nout mask = z + 2\n";
+    struct scarp_recipe *recipe = malloc(sizeof *recipe);
+    for (int is_space = 0; is_space < 2; is_space++) {
+        const char *of = is_space ? space : text;
+        CHECK(scarp_recipe_parse(of, strlen(of), recipe, NULL, 0, NULL) == SCARP_OK, "parse");
+        CHECK(strcmp(said(CALL("parse", string(of))), "") == 0, "parse");
+        scarp_recipe_seed(recipe, (uint64_t)-5);
+        check_raster(recipe, 9, 7, 0);
+        CHECK(scarp_recipe_scale(recipe, 2, 3, NULL) == SCARP_OK, "scale");
+        CHECK(strcmp(said(CALL("set_scale", number(2), number(3))), "") == 0, "set_scale");
+        check_raster(recipe, 9, 7, 0);
+        if (is_space) { /* z does not repeat */
+            const char *refused = said(CALL("set_tile", number(16), number(16), number(16)));
+            CHECK(strstr(refused, "tile 16, 16: ") == refused, "%s", refused);
+            CHECK(strcmp(said(CALL("set_tile", number(0), number(0), number(0))), "") == 0, "0");
+        } else {
+            CHECK(scarp_recipe_tile(recipe, 32, 48, 0, NULL) == SCARP_OK, "tile");
+            CHECK(strcmp(said(CALL("set_tile", number(32), number(48), number(0))), "") == 0,
+                  "set_tile");
+        }
+        check_raster(recipe, 9, 7, 0);
+    }
+    free(recipe);
+}
+
 static void check_values(const char *shader)
 {
     struct scarp_recipe *recipe = malloc(sizeof *recipe);
@@ -389,6 +426,7 @@ static void run(GDExtensionInitializationFunction entry, const char *shader)
     check_texts();
     check_refusals();
     check_values(shader);
+    check_changes();
     class.info.free_instance_func(class.info.class_userdata, object.instance);
     for (int level = GDEXTENSION_MAX_INITIALIZATION_LEVEL - 1; level >= 0; level--) {
         start.deinitialize(start.userdata, (GDExtensionInitializationLevel)level);

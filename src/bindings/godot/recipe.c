@@ -18,7 +18,6 @@
 
 #define MOST_SAMPLES (INT64_C(1) << 28) /* as many as an Image of Godot has pixels */
 #define MOST_BYTES 16384                /* of a text: see scarp_recipe_parse */
-#define CHUNK 1024                      /* points that scratch memory is for */
 #define BAND 65536                      /* samples whose gradients are in memory at a time */
 #define ERRORS 8                        /* that are told one by one */
 
@@ -134,28 +133,60 @@ static void set_seed(void *instance, arguments argument, GDExtensionTypePtr resu
     }
 }
 
+/* The result of a call that changes the recipe: "", or `what` was to be and why it is not */
+static void tell_change(GDExtensionTypePtr result, const struct self *self,
+                        enum scarp_status status, const struct scarp_recipe_error *error,
+                        const char *otherwise, const char *what, ...)
+{
+    struct message message = {.length = 0};
+    if (self->recipe == NULL) {
+        add(&message, "there is no recipe: call parse first");
+    } else if (status != SCARP_OK) {
+        va_list list;
+        va_start(list, what);
+        int length = vsnprintf(message.text, sizeof message.text, what, list);
+        va_end(list);
+        message.length = length > 0 ? (size_t)length : 0;
+        if (error->text != NULL) {
+            add_error(&message, error);
+        } else {
+            add(&message, "%s", otherwise);
+        }
+    }
+    godot_set_text(result, message.text);
+}
+
 static void set_param(void *instance, arguments argument, GDExtensionTypePtr result)
 {
     struct self *self = instance;
-    struct message message = {.length = 0};
     struct scarp_recipe_error error = {.text = NULL};
     size_t length = 0;
     char *name = godot_text(argument[0], &length);
     double value = number(argument[1]);
-    if (name == NULL) {
-        add(&message, "no memory");
-    } else if (self->recipe == NULL) {
-        add(&message, "there is no recipe: call parse first");
-    } else if (scarp_recipe_set(self->recipe, name, value, &error) != SCARP_OK) {
-        add(&message, "%.100s = %.9g: ", name, value);
-        if (error.text != NULL) {
-            add_error(&message, &error);
-        } else {
-            add(&message, "no parameter of this name takes this value");
-        }
-    }
+    enum scarp_status status = scarp_recipe_set(self->recipe, name, value, &error);
+    tell_change(result, self, status, &error,
+                name == NULL ? "no memory" : "no parameter of this name takes this value",
+                "%.100s = %.9g: ", name != NULL ? name : "", value);
     free(name);
-    godot_set_text(result, message.text);
+}
+
+static void set_tile(void *instance, arguments argument, GDExtensionTypePtr result)
+{
+    struct self *self = instance;
+    struct scarp_recipe_error error = {.text = NULL};
+    double x = number(argument[0]), z = number(argument[1]), y = number(argument[2]);
+    enum scarp_status status = scarp_recipe_tile(self->recipe, x, z, y, &error);
+    tell_change(result, self, status, &error, "no lengths of a tile", "tile %.9g, %.9g: ", x, z);
+}
+
+static void set_scale(void *instance, arguments argument, GDExtensionTypePtr result)
+{
+    struct self *self = instance;
+    struct scarp_recipe_error error = {.text = NULL};
+    double by = number(argument[0]), heights = number(argument[1]);
+    enum scarp_status status = scarp_recipe_scale(self->recipe, by, heights, &error);
+    tell_change(result, self, status, &error, "factors are from 2^-40 to 2^40",
+                "scale %.9g, %.9g: ", by, heights);
 }
 
 /* What is sampled */
@@ -226,7 +257,7 @@ static int read_raster(struct raster *raster, const char *method, const struct s
         return 0;
     }
     int32_t which = choose(method, self, argument[5]);
-    size_t size = which < 0 ? 0 : scarp_recipe_scratch_size(self->recipe, order, CHUNK);
+    size_t size = which < 0 ? 0 : scarp_recipe_scratch_size(self->recipe, order, 0);
     *raster = (struct raster){
         .width = width,
         .height = height,
@@ -411,6 +442,8 @@ const struct godot_method recipe_methods[] = {
     {"parse", parse, STRING, DEFAULT, 1, 0, {{"text", STRING}}},
     {"set_seed", set_seed, NONE, DEFAULT, 1, 0, {{"seed", INT}}},
     {"set_param", set_param, STRING, DEFAULT, 2, 0, {{"name", STRING}, {"value", FLOAT}}},
+    {"set_tile", set_tile, STRING, DEFAULT, 3, 0, {{"x", FLOAT}, {"z", FLOAT}, {"y", FLOAT}}},
+    {"set_scale", set_scale, STRING, DEFAULT, 2, 0, {{"by", FLOAT}, {"heights", FLOAT}}},
     {"range", range, FLOATS, CONST, 1, 1, {{"output", STRING}}},
     {"at", at, FLOAT, CONST, 3, 1, {{"x", FLOAT}, {"z", FLOAT}, {"output", STRING}}},
     {"grid", grid, FLOATS, CONST, 6, 1, {RASTER}},
