@@ -2,7 +2,6 @@
 # Compares the library with an independent oracle in double precision, and the oracle with published
 # values and differences.
 
-
 scarp_test_program(oracle_check SOURCES ${oracle_sources} oracle_perlin.c)
 scarp_add_test(accuracy.oracle accuracy NOT aarch64 s390x COMMAND oracle_check)
 scarp_test_program(oracle_published SOURCES ${oracle_sources})
@@ -24,3 +23,10 @@ foreach(isa IN LISTS isas)
   scarp_add_sized_test(accuracy.${isa} accuracy IN hostile NOT aarch64 s390x
                        SIZES ${sizes} COMMAND test_accuracy {} ${isa})
 endforeach()
+
+# How exact gradients are, and how much of the promised ranges is met: the tables of
+# bench/results.md, with fewer points
+scarp_test_program(honesty SOURCES honesty_subjects.c oracle_gullies.c oracle_recipe.c oracle_recipe_text.c oracle_warp.c
+                   ${oracle_sources})
+target_link_libraries(honesty PRIVATE scarp-presets)
+scarp_add_sized_test(honesty accuracy NOT emulated sanitized SIZES 512 12 4 2 COMMAND honesty {})

@@ -19,3 +19,16 @@ if("scarp-bench" IN_LIST scarp_found)
   target_link_libraries(test_bench_presets PRIVATE scarp-presets)
 endif()
 scarp_add_test(bench.presets bench NEEDS scarp-bench COMMAND test_bench_presets)
+
+# Compares instructions per point with the committed figures. A busy machine does not change them.
+set(cost_processor ${CMAKE_SYSTEM_PROCESSOR})
+if(CMAKE_CROSSCOMPILING_EMULATOR)
+  set(cost_processor emulated)
+endif()
+scarp_test_program(test_cost)
+scarp_add_test(cost cost IN thorough NEEDS python3 valgrind
+               COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/test_cost.py
+               $<TARGET_FILE:test_cost> ${CMAKE_CURRENT_SOURCE_DIR}/cost.txt
+               ${CMAKE_CURRENT_BINARY_DIR} "processor: ${cost_processor}"
+               "${CMAKE_C_COMPILER_ID} ${CMAKE_C_COMPILER_VERSION}"
+               "build type: $<CONFIG>" "flags: ${CMAKE_C_FLAGS}")

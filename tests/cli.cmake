@@ -133,3 +133,15 @@ if(UNIX AND "pthreads" IN_LIST scarp_found)
 endif()
 scarp_add_test(cli.crew threads IN threads NEEDS posix pthreads COMMAND test_crew)
 scarp_add_test(cli.late_signal cli IN thorough NEEDS posix COMMAND test_interrupt)
+
+# The essentials of the program without Python: one test per script of cli/*.sh
+foreach(name commands errors formats interrupt tiles)
+  set(without)
+  if(name MATCHES "commands|errors") # what a machine without Python tests
+    set(without without-python3)
+  endif()
+  scarp_add_test(cli.sh.${name} cli IN ${without} NOT s390x NEEDS posix scarp sh
+                 COMMAND sh ${name}.sh $<TARGET_FILE:scarp-cli> ${CMAKE_CROSSCOMPILING_EMULATOR})
+  set_tests_properties(cli.sh.${name} PROPERTIES
+                       WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/cli)
+endforeach()

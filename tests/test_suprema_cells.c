@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Proves the suprema of cellular noise (suprema_cells.h) for several jitters by branch and bound
+ * Proves the suprema of cellular noise (suprema.h) for several jitters by branch and bound
  * over the point, and that features reach them. Argument: how much the proof may add to the
  * suprema, relatively.
  */
 #include "proof.h"
-#include "suprema_cells.h"
+#include "suprema.h"
 
 /*
  * Boxes of features are symmetric about the middle of the cell, so p in [0, 1/2]^n is enough. Cells

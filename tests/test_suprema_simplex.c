@@ -4,7 +4,7 @@
  * second derivatives become. Argument: how much the proof may add to the suprema, relatively.
  */
 #include "proof.h"
-#include "suprema_simplex.h"
+#include "suprema.h"
 
 /*
  * Each vertex draws its gradient freely, so the supremum of n is that of

@@ -2,7 +2,7 @@
  *
  * `scarp info`: which library runs, what it can run on, and what the program was built with.
  */
-#include "info.h"
+#include "commands.h"
 
 #include <stdio.h>
 #include <string.h>

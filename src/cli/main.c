@@ -7,17 +7,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "info.h"
-#include "recipe/recipe.h"
-#include "sample/sample.h"
+#include "commands.h"
 #include "scarp.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
 #include "shared/posix.h"
 #include "shared/stack.h"
-#include "sheet/sheet.h"
-#include "terrain/terrain.h"
-#include "view/view.h"
 
 static const char usage[] =
     "usage: scarp <command> [options]\n"

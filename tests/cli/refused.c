@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "commands.h"
 #include "formats/npy.h"
-#include "sample/sample.h"
 #include "shared/error.h"
 #include "shared/options.h"
 #include "terrain/terrain_options.h"

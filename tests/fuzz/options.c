@@ -10,10 +10,9 @@
 #include <string.h>
 
 #include "cli.h"
+#include "commands.h"
 #include "draw.h"
 #include "fuzz.h"
-#include "recipe/recipe.h"
-#include "sample/sample.h"
 #include "shared/json.h"
 #include "sheet/sheet_options.h"
 #include "terrain/pattern.h"

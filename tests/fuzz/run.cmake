@@ -5,7 +5,28 @@
 #   cmake -D PROGRAM=... -D PACK=fuzz_pack -D KEPT=corpus/NAME.bin -D FOUND=folder -D DICTIONARY=file -D LONGEST=bytes
 #         -D SECONDS=20 -D SHARE=100 -P run.cmake
 #
-# SHARE is the percentage of SECONDS that this target runs.
+# SHARE is the percentage of SECONDS that this target runs. With ADD, it adds to KEPT the inputs that such runs have
+# found, as far as they reach what none of those that are kept reaches:
+#
+#   cmake -D PROGRAM=... -D PACK=fuzz_pack -D KEPT=corpus/NAME.bin -D FOUND=folder -D ADD=ON -P run.cmake
+
+# The inputs that are kept, of which a new target has none
+file(REMOVE_RECURSE ${FOUND}/kept)
+file(MAKE_DIRECTORY ${FOUND}/kept)
+if(EXISTS ${KEPT})
+  execute_process(COMMAND ${PACK} unpack ${KEPT} ${FOUND}/kept COMMAND_ERROR_IS_FATAL ANY)
+endif()
+file(GLOB kept ${FOUND}/kept/*)
+
+if(ADD)
+  file(GLOB found ${FOUND}/corpus/*)
+  if(found)
+    execute_process(COMMAND ${PROGRAM} -merge=1 ${FOUND}/kept ${FOUND}/corpus ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+    file(GLOB kept ${FOUND}/kept/*)
+    execute_process(COMMAND ${PACK} add ${KEPT} ${kept} COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  return()
+endif()
 
 if(DEFINED ENV{SCARP_FUZZ_SECONDS})
   set(SECONDS $ENV{SCARP_FUZZ_SECONDS})
@@ -47,7 +68,6 @@ function(run what)
   endif()
 endfunction()
 
-include(${CMAKE_CURRENT_LIST_DIR}/unpack.cmake)
 if(kept)
   run("kept inputs" -runs=0 ${FOUND}/kept)
 endif()

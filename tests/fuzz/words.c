@@ -9,8 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "recipe/recipe.h"
-#include "sample/sample.h"
+#include "commands.h"
 #include "scarp.h"
 #include "sheet/sheet_options.h"
 #include "terrain/terrain_options.h"

@@ -3,7 +3,7 @@
  * `scarp recipe`: prints a recipe, and behind it, as comments, what an artist wants to know of it:
  * so what is printed is a recipe again. Of a text with errors, only the errors are printed.
  */
-#include "recipe/recipe.h"
+#include "commands.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
  * `scarp sample`: the options, and the way of a batch of points from the input to the output.
  * Reading is in points.c, writing in results.c.
  */
-#include "sample/sample.h"
+#include "commands.h"
 
 #include <stdbool.h>
 #include <stddef.h>

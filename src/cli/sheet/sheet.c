@@ -3,7 +3,7 @@
  * `scarp sheet`: from the options to the file. The parameters that panels differ in are read in
  * axes.c, panels are made and drawn in panel.c, and page.c has the page they are on.
  */
-#include "sheet/sheet.h"
+#include "commands.h"
 
 #include <errno.h>
 #include <stdatomic.h>

@@ -4,7 +4,7 @@
  * terrain_options.c, which files they ask for in asked.c, tiles in job.c, samples in surface.c,
  * their bytes in layers.c, files in products.c, and what fills them in pipeline.c.
  */
-#include "terrain/terrain.h"
+#include "commands.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
  * `scarp view`: from the options to the picture, and the closing line. Rays find the ground in
  * march.c and get their colours in light.c; bucket.c makes pixels of them, and picture.c a file.
  */
-#include "view/view.h"
+#include "commands.h"
 
 #include <errno.h>
 #include <stdbool.h>
