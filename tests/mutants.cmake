@@ -5,6 +5,15 @@
 # (mutants/run.c). What they see with few points, the default tests see with more. mutants/rules/ makes
 # mistakes by rule besides, thousands of them, of which a sample can be tried.
 
+# Both lists name texts of the sources. These are as they say, which default tests check.
+scarp_add_test(mutants.texts mutants COMMAND ${CMAKE_COMMAND} -D FROM=${PROJECT_SOURCE_DIR}/src
+               -P ${CMAKE_CURRENT_SOURCE_DIR}/mutants/mutate.cmake)
+scarp_add_test(mutants.explained mutants NEEDS python3 COMMAND ${Python3_EXECUTABLE} -B
+               ${CMAKE_CURRENT_SOURCE_DIR}/mutants/rules/rules.py --stale)
+if(NOT SCARP_TEST_THOROUGH OR NOT UNIX) # what follows forks
+  return()
+endif()
+
 set(mutants_from ${PROJECT_SOURCE_DIR}/src)
 set(mutants_to ${CMAKE_CURRENT_BINARY_DIR}/mutants)
 file(GLOB_RECURSE mutants_files CONFIGURE_DEPENDS RELATIVE ${mutants_from}
@@ -16,7 +25,7 @@ list(TRANSFORM mutants_sources REPLACE "^src" ${mutants_to})
 
 add_custom_command(
   OUTPUT ${mutants_sources} ${mutants_to}/mutants.c
-  COMMAND ${CMAKE_COMMAND} -D FROM=${mutants_from} -D TO=${mutants_to} -D "FILES=${mutants_files}"
+  COMMAND ${CMAKE_COMMAND} -D FROM=${mutants_from} -D TO=${mutants_to}
           -P ${CMAKE_CURRENT_SOURCE_DIR}/mutants/mutate.cmake
   DEPENDS mutants/list.cmake mutants/mutate.cmake ${mutants_originals}
   COMMENT "Writing the sources with mistakes" VERBATIM)

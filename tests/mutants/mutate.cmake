@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: MIT
 # Copies the library's sources with every mistake of list.cmake in them, each behind a switch of its
 # own, so that one compilation serves all of them; and writes mutants.c, the table of these switches.
-# If the text of a mistake is not found exactly once, the programs that have to see it fail.
+# If the text of a mistake is not found exactly once, the programs that have to see it fail. Without TO
+# it writes nothing, and fails itself.
 #
-#   cmake -D FROM=src -D TO=folder -D FILES=a.c;kernel/b.h -P mutate.cmake
+#   cmake -D FROM=src [-D TO=folder] -P mutate.cmake
 
 cmake_minimum_required(VERSION 3.25)
 
 set(number 0)
+set(problems)
+file(GLOB_RECURSE FILES RELATIVE ${FROM} ${FROM}/*.c ${FROM}/*.h ${FROM}/*.def)
+list(FILTER FILES EXCLUDE REGEX "^cli/")
 foreach(file IN LISTS FILES)
   file(READ ${FROM}/${file} "original_${file}")
   set("mutated_${file}" "${original_${file}}")
@@ -56,6 +60,9 @@ function(mutant name)
   else()
     set(problem "its text is found more than once")
   endif()
+  if(problem)
+    set(problems "${problems}${name}: ${problem}\n" PARENT_SCOPE)
+  endif()
   if(NOT arg_SETS)
     set(arg_SETS sse4.1 avx2 avx512 neon wasm128 generic)
   endif()
@@ -66,6 +73,13 @@ function(mutant name)
 endfunction()
 
 include(${CMAKE_CURRENT_LIST_DIR}/list.cmake)
+if(NOT TO)
+  if(problems)
+    message(FATAL_ERROR "${CMAKE_CURRENT_LIST_DIR}/list.cmake does not fit the sources:\n${problems}")
+  endif()
+  message("${number} mistakes, each with its text")
+  return()
+endif()
 
 foreach(file IN LISTS FILES)
   set(content "${mutated_${file}}")

@@ -31,12 +31,11 @@ class Work:
         self.is_thorough = "ON" if thorough else "OFF"
         self.tree = os.path.join(folder, "tree")
         self.build = os.path.join(folder, "sanitized" if sanitized else "build")
-        self.sources = {} # of the library, by their names below src/
+        self.sources = read_sources(project)
         self.ninja = shutil.which("ninja") is not None
         os.makedirs(folder, exist_ok=True)
         self.copy()
-        types = set().union(*map(sites.typedefs_of, self.sources.values()))
-        self.parsed = {name: sites.Source(text, types) for name, text in sorted(self.sources.items())}
+        self.parsed = parse(self.sources)
 
     def copy(self):
         """Brings the copy up to date, but for the library's sources. Files that are the same keep their
@@ -48,11 +47,8 @@ class Work:
             os.makedirs(to, exist_ok=True)
             for name in files:
                 original, path = os.path.join(folder, name), os.path.join(to, name)
-                relative = os.path.relpath(original, os.path.join(self.project, "src"))
-                if relative.split(os.sep)[0] in ROOMS and name.endswith((".c", ".h")):
-                    with open(original, encoding="utf-8") as file:
-                        self.sources[relative] = file.read()
-                elif not os.path.exists(path) or os.path.getmtime(path) != os.path.getmtime(original):
+                if os.path.relpath(original, os.path.join(self.project, "src")) not in self.sources and (
+                        not os.path.exists(path) or os.path.getmtime(path) != os.path.getmtime(original)):
                     shutil.copy2(original, path)
 
     def left_out(self, mutations):
@@ -193,10 +189,28 @@ def end_of(text, first):
     return len(text)
 
 
-def list_mutations(work, patterns):
+def read_sources(project):
+    """The library's sources, by their names below src/"""
+    sources, src = {}, os.path.join(project, "src")
+    for room in ROOMS:
+        for folder, _, files in os.walk(os.path.join(src, room)):
+            for name in files:
+                if name.endswith((".c", ".h")):
+                    path = os.path.join(folder, name)
+                    with open(path, encoding="utf-8") as file:
+                        sources[os.path.relpath(path, src)] = file.read()
+    return sources
+
+
+def parse(sources):
+    types = set().union(*map(sites.typedefs_of, sources.values()))
+    return {name: sites.Source(text, types) for name, text in sorted(sources.items())}
+
+
+def list_mutations(parsed, patterns):
     """All mutations, in the order of files and lines."""
     found = []
-    for name, source in work.parsed.items():
+    for name, source in parsed.items():
         if any(fnmatch.fnmatch(name, pattern) for pattern in patterns):
             found += mutations_of(name, source)
     return found

@@ -30,7 +30,7 @@ import random
 import sys
 import time
 
-from build import HERE, RULES, Mutation, Work, list_mutations
+from build import HERE, RULES, Mutation, Work, list_mutations, parse, read_sources
 from explained import ambiguous, key_of, keys_of, read_explained, reason_of
 from tests import QUICK, default_tests, first_to_notice, processor_seconds, quick_tests, useful
 
@@ -136,6 +136,7 @@ def parse_arguments():
     parser.add_argument("--thorough", action="store_true", help="thorough ones, and the program, too")
     parser.add_argument("--no-default", action="store_true", help="leave the default tests out")
     parser.add_argument("--minutes", type=float, default=1e9, help="begin with no mutation later")
+    parser.add_argument("--stale", action="store_true", help="only check that explanations fit a line each")
     parser.add_argument("--set", default="avx2", help="the vector set")
     parser.add_argument("--patience", type=int, default=5, help="seconds of the processor for a quick test")
     parser.add_argument("--quick", nargs="+", help="quick tests in place of those of tests.py")
@@ -146,7 +147,7 @@ def parse_arguments():
 
 def draw_mutations(work, arguments, last):
     """All that may be tried, in the order in which it is."""
-    mutations = list_mutations(work, arguments.files)
+    mutations = list_mutations(work.parsed, arguments.files)
     if arguments.again:
         survivors = {key_of(v.mutation) for v in last if v.stage == "none"}
         mutations = [m for m in mutations if key_of(m) in survivors]
@@ -163,6 +164,9 @@ def main():
     arguments = parse_arguments()
     began = time.monotonic()
     reasons = read_explained(arguments.explained)
+    if arguments.stale:
+        parsed = parse(read_sources(arguments.project))
+        sys.exit(report_stale(reasons, list_mutations(parsed, ["*"])) > 0)
     work = Work(os.path.abspath(arguments.work), os.path.abspath(arguments.project), arguments.set,
                 arguments.sanitize, arguments.thorough)
     path = os.path.join(work.folder, "results")
@@ -185,7 +189,7 @@ def main():
             write_verdict(verdict, results)
         judge = Judge(stages, results, arguments.jobs, began + 60 * arguments.minutes)
         verdicts = judge.judge_all({n: m for n, m in chosen.items() if key_of(m) not in known})
-    finish(kept + verdicts, reasons, list_mutations(work, ["*"]), began)
+    finish(kept + verdicts, reasons, list_mutations(work.parsed, ["*"]), began)
 
 
 def finish(verdicts, reasons, mutations, began):
