@@ -7,12 +7,7 @@
 #define SCARP_TESTS_API_BASES_H
 
 #include "api_names.h"
-
-struct bases_test {
-    const struct inputs *in;
-    size_t points;
-    const struct outputs *one, *two;
-};
+#include "api_points.h"
 
 /* What only some bases have: a phase, and periods across the rows of 2D simplex noise. */
 static inline void test_basis_members(void)
@@ -34,22 +29,8 @@ static inline void test_basis_members(void)
     expect_member(&along, 2, SCARP_OK, NULL);
 }
 
-/* Whether two noises give the same bits in all outputs of a function. */
-static inline int bases_alike(const struct bases_test *t, enum function f,
-                              const struct scarp_noise *a, const struct scarp_noise *b)
-{
-    int member;
-    size_t index;
-    const unsigned mask = function_outputs(f);
-    const struct scarp_samples to_a = outputs_subset(t->one, mask);
-    const struct scarp_samples to_b = outputs_subset(t->two, mask);
-    CHECK(function_call(f, a, t->points, t->in, &to_a) == SCARP_OK, "%s", function_names[f]);
-    CHECK(function_call(f, b, t->points, t->in, &to_b) == SCARP_OK, "%s", function_names[f]);
-    return outputs_equal(t->one, t->two, mask, t->points, &member, &index);
-}
-
 /* The fade is for bases that blend corners, the jitter for cells. */
-static inline void test_ignored(const struct bases_test *t)
+static inline void test_ignored(void)
 {
     for (int i = 0; i < FUNCTIONS * count_names(basis_name); i++) {
         const enum function f = (enum function)(i % FUNCTIONS);
@@ -58,49 +39,48 @@ static inline void test_ignored(const struct bases_test *t)
         const char *const name = basis_name((int)noise.basis);
         struct scarp_noise faded = noise, strayed = noise;
         faded.fade = SCARP_CUBIC;
-        CHECK(bases_alike(t, f, &noise, &faded) == !blends_corners(noise.basis), "%s: fade", name);
+        CHECK(are_alike(f, &noise, &faded, function_outputs(f)) == !blends_corners(noise.basis),
+              "%s: fade", name);
         strayed.jitter = 0.5f;
-        CHECK(bases_alike(t, f, &noise, &strayed) == (noise.basis <= SCARP_SIMPLEX), "%s: jitter",
-              name);
+        CHECK(are_alike(f, &noise, &strayed, function_outputs(f)) == (noise.basis <= SCARP_SIMPLEX),
+              "%s: jitter", name);
         strayed.jitter = 1.0f;
-        CHECK(bases_alike(t, f, &noise, &strayed), "%s: 1 is not the default jitter", name);
+        CHECK(are_alike(f, &noise, &strayed, function_outputs(f)),
+              "%s: 1 is not the default jitter", name);
     }
 }
 
 /* 2D calls refuse derivatives along z, and noise of other bases than gradients that by the phase.
  */
-static inline void test_unsupported(const struct bases_test *t)
+static inline void test_unsupported(void)
 {
     const int bases = count_names(basis_name) - 1;
     for (int i = 0; i < OUTPUTS * bases; i++) {
         const struct scarp_noise noise = {.basis = (enum scarp_basis)(SCARP_VALUE + i % bases)};
         const int m = i / bases;
         if ((OUTPUTS_ALL2 >> m & 1) == 0) {
-            outputs_poison(t->one);
-            const struct scarp_samples alone = outputs_subset(t->one, 1u << m);
-            const struct scarp_samples more = outputs_subset(t->one, 1u << m | OUTPUTS_ALL2);
-            CHECK(function_call(SAMPLE2, &noise, t->points, t->in, &alone) ==
+            outputs_poison(&out_one);
+            const struct scarp_samples alone = outputs_subset(&out_one, 1u << m);
+            const struct scarp_samples more = outputs_subset(&out_one, 1u << m | OUTPUTS_ALL2);
+            CHECK(function_call(SAMPLE2, &noise, POINTS, &places, &alone) ==
                       SCARP_ERROR_UNSUPPORTED,
                   "%s", output_names[m]);
-            CHECK(function_call(SAMPLE2, &noise, t->points, t->in, &more) ==
+            CHECK(function_call(SAMPLE2, &noise, POINTS, &places, &more) == SCARP_ERROR_UNSUPPORTED,
+                  "%s", output_names[m]);
+            CHECK(function_call(SAMPLE2_F64, &noise, POINTS, &places, &more) ==
                       SCARP_ERROR_UNSUPPORTED,
                   "%s", output_names[m]);
-            CHECK(function_call(SAMPLE2_F64, &noise, t->points, t->in, &more) ==
-                      SCARP_ERROR_UNSUPPORTED,
-                  "%s", output_names[m]);
-            CHECK(function_call(SAMPLE2, &noise, 0, t->in, &alone) == SCARP_OK, "count 0");
-            CHECK(outputs_untouched(t->one, ~0u), "%s: outputs were written", output_names[m]);
+            CHECK(function_call(SAMPLE2, &noise, 0, &places, &alone) == SCARP_OK, "count 0");
+            CHECK(outputs_untouched(&out_one, ~0u), "%s: outputs were written", output_names[m]);
         }
     }
 }
 
-static inline void test_bases(const struct inputs *in, size_t points, const struct outputs *one,
-                              const struct outputs *two)
+static inline void test_bases(void)
 {
-    const struct bases_test t = {in, points, one, two};
     test_basis_members();
-    test_ignored(&t);
-    test_unsupported(&t);
+    test_ignored();
+    test_unsupported();
 }
 
 #endif

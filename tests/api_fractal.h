@@ -6,17 +6,10 @@
 #ifndef SCARP_TESTS_API_FRACTAL_H
 #define SCARP_TESTS_API_FRACTAL_H
 
-#include "outputs.h"
+#include "api_points.h"
 
-/* Points, and two sets of outputs for them. */
-struct fractal_test {
-    const struct inputs *in;
-    size_t points;
-    const struct outputs *one, *two;
-};
-
-/* Erosion refuses each second derivative, alone and beside all others; its own outputs work. */
-static inline void test_fractal_unsupported(const struct fractal_test *t)
+/* Erosion refuses each second derivative, alone and with all others; its own outputs work. */
+static inline void test_fractal_unsupported(void)
 {
     const struct scarp_noise erosion = {.fractal = SCARP_EROSION, .octaves = 2.0f};
     for (int i = 0; i < FUNCTIONS * OUTPUTS; i++) {
@@ -27,62 +20,55 @@ static inline void test_fractal_unsupported(const struct fractal_test *t)
         }
         const int second = output_kinds[i % OUTPUTS].order == 2;
         const enum scarp_status expected = second ? SCARP_ERROR_UNSUPPORTED : SCARP_OK;
-        const struct scarp_samples alone = outputs_subset(t->one, output);
-        const struct scarp_samples more = outputs_subset(t->one, output | outputs_of(&erosion, f));
-        outputs_poison(t->one);
-        CHECK(function_call(f, &erosion, t->points, t->in, &alone) == expected, "%s: %s",
+        const struct scarp_samples alone = outputs_subset(&out_one, output);
+        const struct scarp_samples more =
+            outputs_subset(&out_one, output | outputs_of(&erosion, f));
+        outputs_poison(&out_one);
+        CHECK(function_call(f, &erosion, POINTS, &places, &alone) == expected, "%s: %s",
               function_names[f], output_names[i % OUTPUTS]);
-        CHECK(outputs_untouched(t->one, second ? OUTPUTS_ALL3 : OUTPUTS_ALL3 & ~output),
+        CHECK(outputs_untouched(&out_one, second ? OUTPUTS_ALL3 : OUTPUTS_ALL3 & ~output),
               "%s: %s: outputs were written", function_names[f], output_names[i % OUTPUTS]);
-        outputs_poison(t->one);
-        CHECK(function_call(f, &erosion, t->points, t->in, &more) == expected, "%s: %s and more",
+        outputs_poison(&out_one);
+        CHECK(function_call(f, &erosion, POINTS, &places, &more) == expected, "%s: %s and more",
               function_names[f], output_names[i % OUTPUTS]);
-        CHECK(outputs_untouched(t->one, second ? OUTPUTS_ALL3 : OUTPUTS_ALL3 & ~all),
+        CHECK(outputs_untouched(&out_one, second ? OUTPUTS_ALL3 : OUTPUTS_ALL3 & ~all),
               "%s: %s and more: outputs were written", function_names[f],
               output_names[i % OUTPUTS]);
-        CHECK(function_call(f, &erosion, 0, t->in, &alone) == SCARP_OK, "count 0");
+        CHECK(function_call(f, &erosion, 0, &places, &alone) == SCARP_OK, "count 0");
     }
 }
 
 /* Whether two noises give the same bits in all outputs that both have. */
-static inline int fractal_same_bits(const struct fractal_test *t, const struct scarp_noise *a,
-                                    const struct scarp_noise *b)
+static inline int fractal_same_bits(const struct scarp_noise *a, const struct scarp_noise *b)
 {
-    int same = 1, member;
-    size_t index;
-    for (int i = 0; i < FUNCTIONS; i++) {
-        const enum function f = (enum function)i;
-        const unsigned mask = outputs_of(a, f) & outputs_of(b, f);
-        const struct scarp_samples out_a = outputs_subset(t->one, mask);
-        const struct scarp_samples out_b = outputs_subset(t->two, mask);
-        CHECK(function_call(f, a, t->points, t->in, &out_a) == SCARP_OK, "%s", function_names[f]);
-        CHECK(function_call(f, b, t->points, t->in, &out_b) == SCARP_OK, "%s", function_names[f]);
-        same &= outputs_equal(t->one, t->two, mask, t->points, &member, &index);
+    int same = 1;
+    for (enum function f = 0; f < FUNCTIONS; f++) {
+        same &= are_alike(f, a, b, outputs_of(a, f) & outputs_of(b, f));
     }
     return same;
 }
 
 /* 0 and -0 mean the default of erosion, 1; other fractals do not use the parameter. */
-static inline void test_fractal_parameter(const struct fractal_test *t)
+static inline void test_fractal_parameter(void)
 {
     for (int fractal = SCARP_FBM; fractal < count_names(fractal_name); fractal++) {
         const int used = fractal_row((enum scarp_fractal)fractal)->most_erosion != 0.0f;
         struct scarp_noise a = {.fractal = (enum scarp_fractal)fractal, .octaves = 3.0f}, b = a;
         b.erosion = 1.0f;
-        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: the default is not 1", fractal);
+        CHECK(fractal_same_bits(&a, &b), "fractal %d: the default is not 1", fractal);
         a.erosion = -0.0f;
-        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: -0 is not the default", fractal);
+        CHECK(fractal_same_bits(&a, &b), "fractal %d: -0 is not the default", fractal);
         a.erosion = 0.5f;
-        CHECK(fractal_same_bits(t, &a, &b) == !used, "fractal %d: erosion 1/2", fractal);
+        CHECK(fractal_same_bits(&a, &b) == !used, "fractal %d: erosion 1/2", fractal);
         for (int other = SCARP_FBM; other < fractal; other++) {
             b.fractal = (enum scarp_fractal)other;
-            CHECK(!fractal_same_bits(t, &a, &b), "fractals %d and %d are the same", fractal, other);
+            CHECK(!fractal_same_bits(&a, &b), "fractals %d and %d are the same", fractal, other);
         }
     }
 }
 
 /* 0 and -0 mean the default of the fractal; others do not use the sharpness. */
-static inline void test_fractal_sharpness(const struct fractal_test *t)
+static inline void test_fractal_sharpness(void)
 {
     for (int fractal = SCARP_FBM; fractal < count_names(fractal_name); fractal++) {
         const float standard = fractal_row((enum scarp_fractal)fractal)->sharpness;
@@ -90,14 +76,13 @@ static inline void test_fractal_sharpness(const struct fractal_test *t)
         struct scarp_noise a = {.fractal = (enum scarp_fractal)fractal, .octaves = 3.0f}, b = a;
         a.sharpness = -0.0f;
         b.sharpness = used ? standard : 2.0f;
-        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: another default", fractal);
+        CHECK(fractal_same_bits(&a, &b), "fractal %d: another default", fractal);
         a.sharpness = 1.5f;
-        CHECK(fractal_same_bits(t, &a, &b) == !used, "fractal %d: sharpness 1.5", fractal);
+        CHECK(fractal_same_bits(&a, &b) == !used, "fractal %d: sharpness 1.5", fractal);
     }
 }
 
-/* Any subset of outputs gives the bits that all of them together give, and writes nothing else. */
-static inline void test_fractal_subsets(const struct fractal_test *t)
+static inline void test_fractal_subsets(void)
 {
     for (int i = 0; i < 28 * FUNCTIONS; i++) {
         const enum function f = (enum function)(i % FUNCTIONS);
@@ -107,28 +92,7 @@ static inline void test_fractal_subsets(const struct fractal_test *t)
                                           .octaves = 3.25f,
                                           .rotate = (uint32_t)(i / FUNCTIONS / 14),
                                           .seed = 99};
-        const struct scarp_noise other = {.octaves = 2.0f, .seed = 98};
-        const unsigned all = outputs_of(&noise, f);
-        const struct scarp_samples together = outputs_subset(t->two, all);
-        CHECK(function_call(f, &noise, t->points, t->in, &together) == SCARP_OK, "all outputs");
-        for (unsigned mask = 0; mask <= all; mask++) {
-            if ((mask & ~all) != 0) {
-                continue;
-            }
-            int member = 0;
-            size_t index = 0;
-            const struct scarp_samples out = outputs_subset(t->one, mask);
-            /* Leftovers of the last call on the stack must not pass for results. */
-            const struct scarp_samples between = outputs_subset(t->one, function_outputs(f));
-            CHECK(function_call(f, &other, t->points, t->in, &between) == SCARP_OK, "another");
-            outputs_poison(t->one);
-            CHECK(function_call(f, &noise, t->points, t->in, &out) == SCARP_OK, "%#x", mask);
-            CHECK(outputs_equal(t->one, t->two, mask, t->points, &member, &index),
-                  "%s, fractal %d, subset %#x: %s[%zu] differs", function_names[f],
-                  (int)noise.fractal, mask, output_names[member], index);
-            CHECK(outputs_untouched(t->one, ~mask), "%s, fractal %d, subset %#x: others written",
-                  function_names[f], (int)noise.fractal, mask);
-        }
+        expect_subsets(f, &noise, outputs_of(&noise, f));
     }
 }
 
@@ -156,18 +120,18 @@ static inline void test_fractal_ranges(void)
 }
 
 /* The largest difference between two noises that have the same outputs. */
-static inline double fractal_difference(const struct fractal_test *t, const struct scarp_noise *a,
-                                        const struct scarp_noise *b, enum function f, unsigned mask)
+static inline double fractal_difference(const struct scarp_noise *a, const struct scarp_noise *b,
+                                        enum function f, unsigned mask)
 {
-    const struct scarp_samples out_a = outputs_subset(t->one, mask);
-    const struct scarp_samples out_b = outputs_subset(t->two, mask);
+    const struct scarp_samples out_a = outputs_subset(&out_one, mask);
+    const struct scarp_samples out_b = outputs_subset(&out_two, mask);
     double largest = 0.0;
-    CHECK(function_call(f, a, t->points, t->in, &out_a) == SCARP_OK, "%s", function_names[f]);
-    CHECK(function_call(f, b, t->points, t->in, &out_b) == SCARP_OK, "%s", function_names[f]);
+    CHECK(function_call(f, a, POINTS, &places, &out_a) == SCARP_OK, "%s", function_names[f]);
+    CHECK(function_call(f, b, POINTS, &places, &out_b) == SCARP_OK, "%s", function_names[f]);
     for (int m = 0; m < OUTPUTS; m++) {
-        for (size_t i = 0; i < t->points && (mask >> m & 1) != 0; i++) {
+        for (size_t i = 0; i < POINTS && (mask >> m & 1) != 0; i++) {
             const double difference =
-                fabs((double)t->one->array[m][i] - (double)t->two->array[m][i]);
+                fabs((double)out_one.array[m][i] - (double)out_two.array[m][i]);
             if (!(difference <= largest)) { /* also a NaN (gcc 12 for AArch64 fails on fmax here) */
                 largest = difference;
             }
@@ -178,7 +142,7 @@ static inline double fractal_difference(const struct fractal_test *t, const stru
 
 /* Octaves of a longer sum have the bits that they have there, and fade in without a pop.
    test_fractal says which octaves they are. */
-static inline void test_fractal_of_octaves(const struct fractal_test *t)
+static inline void test_fractal_of_octaves(void)
 {
     for (int i = 0; i < 2 * count_names(fractal_name); i++) {
         const struct scarp_noise whole = {.fractal = (enum scarp_fractal)(i / 2),
@@ -188,19 +152,18 @@ static inline void test_fractal_of_octaves(const struct fractal_test *t)
                                           .seed = 5};
         struct scarp_noise a = whole, b = whole;
         b.of_octaves = whole.octaves;
-        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: %g of as many", i / 2,
-              (double)whole.octaves);
+        CHECK(fractal_same_bits(&a, &b), "fractal %d: %g of as many", i / 2, (double)whole.octaves);
         b.of_octaves = -0.0f;
-        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: -0 is not the default", i / 2);
+        CHECK(fractal_same_bits(&a, &b), "fractal %d: -0 is not the default", i / 2);
         b.of_octaves = 8.5f;
-        CHECK(!fractal_same_bits(t, &a, &b), "fractal %d: of_octaves is ignored", i / 2);
+        CHECK(!fractal_same_bits(&a, &b), "fractal %d: of_octaves is ignored", i / 2);
         for (int ends = 0; ends < 2; ends++) { /* of the octave that fades in */
             a.of_octaves = b.of_octaves = 8.0f;
             a.octaves = ends == 0 ? 3.0f : 4.0f;
             b.octaves = ends == 0 ? nextafterf(3.0f, 4.0f) : nextafterf(4.0f, 3.0f);
             for (int f = 0; f < FUNCTIONS; f++) {
                 const double pop =
-                    fractal_difference(t, &a, &b, (enum function)f,
+                    fractal_difference(&a, &b, (enum function)f,
                                        outputs_up_to(1, function_dimensions((enum function)f)));
                 CHECK(pop <= 4e-5, "%s, fractal %d: a pop of %g", function_names[f], i / 2, pop);
             }
@@ -210,7 +173,7 @@ static inline void test_fractal_of_octaves(const struct fractal_test *t)
 
 /* With a gain of 1, amplitudes of two octaves of four are halves of those of two: all bits are the
    same with half the amplitude. */
-static inline void test_fractal_of_amplitudes(const struct fractal_test *t)
+static inline void test_fractal_of_amplitudes(void)
 {
     for (int i = 0; i < 3 * count_names(fractal_name); i++) {
         if (i / 3 == SCARP_HYBRID) {
@@ -224,8 +187,7 @@ static inline void test_fractal_of_amplitudes(const struct fractal_test *t)
         struct scarp_noise b = a;
         b.of_octaves = 0.0f;
         b.amplitude *= a.octaves / 8.0f;
-        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: %g of 8 octaves", i / 3,
-              (double)a.octaves);
+        CHECK(fractal_same_bits(&a, &b), "fractal %d: %g of 8 octaves", i / 3, (double)a.octaves);
         float a_range[2], b_range[2];
         scarp_range(&a, 2, &a_range[0], &a_range[1]);
         b.octaves = 8.0f;
@@ -236,17 +198,15 @@ static inline void test_fractal_of_amplitudes(const struct fractal_test *t)
     }
 }
 
-static inline void test_fractals(const struct inputs *in, size_t points, const struct outputs *one,
-                                 const struct outputs *two)
+static inline void test_fractals(void)
 {
-    const struct fractal_test t = {in, points, one, two};
-    test_fractal_unsupported(&t);
-    test_fractal_parameter(&t);
-    test_fractal_sharpness(&t);
-    test_fractal_subsets(&t);
+    test_fractal_unsupported();
+    test_fractal_parameter();
+    test_fractal_sharpness();
+    test_fractal_subsets();
     test_fractal_ranges();
-    test_fractal_of_octaves(&t);
-    test_fractal_of_amplitudes(&t);
+    test_fractal_of_octaves();
+    test_fractal_of_amplitudes();
 }
 
 #endif

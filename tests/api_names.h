@@ -6,6 +6,7 @@
 #ifndef SCARP_TESTS_API_NAMES_H
 #define SCARP_TESTS_API_NAMES_H
 
+#include <float.h>
 #include <limits.h>
 
 #include "outputs.h"

@@ -2,7 +2,7 @@
 # Recipes: the language and its calls, the same bits however they are computed, and an interpreter in
 # double.
 
-foreach(test recipe recipe_calls recipe_described)
+foreach(test recipe recipe_calls recipe_described recipe_summary)
   scarp_test_program(test_${test})
   string(REPLACE "_" "." name ${test})
   scarp_add_test(${name} recipe IN wasm COMMAND test_${test})

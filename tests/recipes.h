@@ -32,6 +32,15 @@ static inline struct scarp_samples recipe_samples(float *first, size_t points, i
     return s;
 }
 
+/* A statement; one that is not there is all zeros. */
+static inline struct scarp_recipe_entry recipe_entry(const struct scarp_recipe *of, size_t number)
+{
+    struct scarp_recipe_entry entry;
+    memset(&entry, 0, sizeof entry);
+    (void)scarp_recipe_entry_at(of, number, &entry);
+    return entry;
+}
+
 /* The highest order of derivatives that the first output has */
 static inline int recipe_order(const struct scarp_recipe *recipe)
 {

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A tile and a scale that calls give to a recipe: the same bits as those of a text that has them,
- * for all texts of recipes.h, the presets, several seeds and all kernel sets. What a recipe says of
- * its cells and its jumps, which is compared with the values.
+ * for all texts of recipes.h, the presets, several seeds and all kernel sets.
  */
-#include <float.h>
-
 #include "presets/presets.h"
 #include "recipes.h"
 
@@ -29,14 +26,6 @@ static enum scarp_status parse(const char *text, struct scarp_recipe *to)
     return scarp_recipe_parse(text, strlen(text), to, NULL, 0, NULL);
 }
 
-static struct scarp_recipe_entry entry_of(const struct scarp_recipe *of, size_t number)
-{
-    struct scarp_recipe_entry entry;
-    memset(&entry, 0, sizeof entry);
-    (void)scarp_recipe_entry_at(of, number, &entry);
-    return entry;
-}
-
 static int is_field(const struct scarp_recipe_entry *entry)
 {
     return entry->kind == SCARP_RECIPE_FIELD || entry->kind == SCARP_RECIPE_NOISE;
@@ -45,7 +34,7 @@ static int is_field(const struct scarp_recipe_entry *entry)
 /* Samples a statement on a grid, with all the derivatives that it has. `unit` is about a cell. */
 static void sample(const struct scarp_recipe *of, int32_t number, double unit, struct values *to)
 {
-    const struct scarp_recipe_entry entry = entry_of(of, (size_t)number);
+    const struct scarp_recipe_entry entry = recipe_entry(of, (size_t)number);
     const int is_space = entry.dimensions == 3;
     const struct scarp_grid grid = {.origin = {-3.25 * unit, 1.5 * unit, 0.75 * unit},
                                     .step = {0.37 * unit, 0.41 * unit, 0.83 * unit},
@@ -92,7 +81,8 @@ static void check_same_recipes(const char *what, const struct scarp_recipe *a,
         if (is_field(&entry)) {
             check_same_in_sets(what, a, i, b, i, unit);
         }
-        CHECK(entry.hash == entry_of(b, (size_t)i).hash, "%s: another hash of %d", what, (int)i);
+        CHECK(entry.hash == recipe_entry(b, (size_t)i).hash, "%s: another hash of %d", what,
+              (int)i);
     }
 }
 
@@ -136,7 +126,7 @@ static void check_scale(const char *name, const char *text, double by, double he
               "%s: seed", name);
         memcpy(&copy, &recipe, sizeof copy);
         for (int32_t i = 0; i < number; i++) {
-            entry = entry_of(&recipe, (size_t)i);
+            entry = recipe_entry(&recipe, (size_t)i);
             if (is_field(&entry)) {
                 check_same_in_sets(name, &copy, i, &by_text, scaled_number++, by * unit);
             }
@@ -161,7 +151,7 @@ static int check_tile(const char *name, const char *text, double side, double un
     char tile[100];
     size_t found = 0, first = 0;
     CHECK(parse(text, &recipe) == SCARP_OK, "%s", name);
-    const int is_space = entry_of(&recipe, 0).dimensions == 3;
+    const int is_space = recipe_entry(&recipe, 0).dimensions == 3;
     sprintf(tile, is_space ? "%.17g, %.17g, %.17g" : "%.17g, %.17g", side, 2.0 * side, side);
     write_tiled(text, tile, tiled);
     const enum scarp_status status =
@@ -426,208 +416,6 @@ static void check_answers(void)
           "answers differ");
 }
 
-/* What a field is made of. MAY: the recipe says that it may jump, and it does not. */
-enum jumps { NO, YES, MAY };
-
-static const struct made_of {
-    const char *text;
-    double largest, smallest;
-    enum jumps jumps;
-} made_of[] = {
-    {"x / 8", 0, 0, NO},
-    {"noise()", 1, 1, NO},
-    {"noise(size=7)", 7, 7, NO},
-    {"noise(size=8, octaves=4)", 8, 1, NO},
-    {"noise(size=8, octaves=3.5, lacunarity=3)", 8, 8.0 / 27, NO},
-    {"noise(size=8, octaves=3, lacunarity=0.5)", 32, 8, NO},
-    {"noise(frequency=0.25) + noise(size=3) * smoothstep(noise(size=90), 0, 1)", 90, 3, NO},
-    {"scale(noise(octaves=3), 1000)", 1000, 250, NO},
-    {"noise(size=1000, octaves=3)", 1000, 250, NO},
-    {"scale(scale(noise(size=6), 5), 0.1)", 3, 3, NO},
-    {"scale(noise(), -4)", 4, 4, NO},
-    {"stretch(noise(size=2), 3, 5)", 10, 6, NO},
-    {"turn(stretch(turn(noise(size=2), 30), 3, 5), 70)", 10, 6, NO},
-    {"move(turn(noise(size=6000), 50), 12, 3)", 6000, 6000, NO},
-    {"wind(noise(size=4200), 250, 1.6)", 6720, 4200, NO},
-    {"warp(noise(size=5), noise(size=40, octaves=2))", 40, 5, NO},
-    {"scale(warp(noise(size=5), noise(size=40, octaves=2)), 2)", 80, 10, NO},
-    {"warp(noise(size=5) * x, warp(noise(size=40), noise(size=90)))", 90, 5, NO},
-    {"at(noise(size=8), 4 * x, y / 2)", 16, 2, NO},
-    {"at(noise(size=8), x + noise(size=300), y)", 300, 8, NO},
-    {"at(noise(size=8), x, 3)", 8, 8, NO},
-    {"at(noise(size=8), 5, 3)", 0, 0, NO},
-    {"at(cell(noise(size=8)), 5, 3)", 0, 0, NO},
-    {"at(x, 2 * x, y + noise(size=300))", 0, 0, NO},
-    {"slope(noise(size=12))", 12, 12, NO},
-    {"scale(slope(noise(size=12)), 3)", 36, 36, NO},
-    {"gullies(noise(size=50), size=12, cells=2, octaves=3)", 50, 1.5, NO},
-    {"gullies(x / 9, size=90)", 30, 1.875, NO},
-    {"scale(gullies(noise(size=50), size=12, cells=2, octaves=1), 10)", 500, 60, NO},
-    {"cell(noise(size=9, octaves=4))", 9, 9, YES},
-    {"cell(noise(size=9), f1)", 9, 9, NO},
-    {"cell(noise(size=9), f2)", 9, 9, NO},
-    {"noise(cell_value, size=4)", 4, 4, YES},
-    {"smoothstep(noise(cell_value), -1, 1)", 1, 1, YES},
-    {"noise(size=3) * max(noise(cell_value), noise(), smooth=0.5)", 3, 1, YES},
-    {"warp(noise(size=3), noise(cell_value, amplitude=0.3))", 3, 1, YES},
-    {"at(noise(size=3), x, y + 0.5 * noise(cell_value))", 3, 1, YES},
-    {"noise(cell_f1)", 1, 1, NO},
-    {"noise(cell_soft, octaves=2)", 1, 0.5, NO},
-    {"noise(cell_edge, erosion)", 1, 1, YES},
-    {"noise(cell_f2, erosion)", 1, 1, NO},
-    {"noise(cell_f1, erosion, octaves=2)", 1, 0.5, YES},
-    {"noise(cell_f2, swiss, octaves=2)", 1, 0.5, YES},
-    {"noise(cell_f1, jordan, octaves=2)", 1, 0.5, YES},
-    {"noise(cell_f1, jordan)", 1, 1, NO},
-    {"noise(erosion, octaves=3)", 1, 0.25, NO},
-    {"noise(cubic, erosion, octaves=2)", 1, 0.5, NO},
-    {"noise(ridged, octaves=2)", 1, 0.5, NO},
-    {"abs(noise())", 1, 1, NO},
-    {"slope(abs(noise()))", 1, 1, MAY}, /* both sides of its creases are as steep */
-    {"slope(max(noise(), noise(seed=1)))", 1, 1, YES},
-    {"slope(clamp(noise(), -0.1, 0.1))", 1, 1, YES},
-    {"slope(noise(cubic))", 1, 1, NO},
-    {"slope(slope(noise()))", 1, 1, NO},
-    {"slope(warp(noise(size=3), noise(cell_f1, amplitude=0.3)))", 3, 1, YES},
-    {"slope(noise(turbulence, octaves=2))", 1, 0.5, YES},
-    {"slope(noise(ridged, octaves=2))", 1, 0.5, YES},
-    {"slope(noise(pingpong, octaves=2))", 1, 0.5, YES},
-    {"slope(noise(hybrid, octaves=3))", 1, 0.25, YES},
-    {"slope(noise(swiss, octaves=2))", 1, 0.5, YES},
-    {"slope(noise(jordan, octaves=2))", 1, 0.5, NO},
-    {"slope(noise(erosion, octaves=2))", 1, 0.5, NO},
-    {"slope(noise(cubic, erosion, octaves=2))", 1, 0.5, YES},
-    {"slope(slope(noise(cubic)))", 1, 1, YES},
-    {"slope(curve(noise(), -0.3: 0.1, 0: 0.7, 0.2: 0))", 1, 1, NO},
-    {"gullies(max(noise(), noise(seed=1)), octaves=1)", 1, 1.0 / 3, YES},
-};
-
-static double difference(const double from[2], const double to[2])
-{
-    float value[2];
-    const double x[2] = {from[0], to[0]}, y[2] = {from[1], to[1]};
-    const struct scarp_samples out = {.value = value};
-    const struct scarp_recipe_outputs outputs = {.out = &out, .count = 1};
-    const struct scarp_scratch scratch = {.memory = memory, .size = sizeof memory};
-    CHECK(scarp_recipe_sample_f64(&recipe, 2, x, y, NULL, &outputs, &scratch) == SCARP_OK,
-          "samples");
-    return fabs((double)value[1] - (double)value[0]);
-}
-
-/* Halves an interval of a line again and again, keeping the half with the larger difference. */
-static double left_over(double from[2], double to[2])
-{
-    double left = 0.0;
-    for (int i = 0; i < 34; i++) {
-        const double middle[2] = {0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])};
-        const double before = difference(from, middle), behind = difference(middle, to);
-        left = before > behind ? before : behind;
-        memcpy(before > behind ? to : from, middle, sizeof middle);
-    }
-    return left;
-}
-
-/* The largest jump that is met on random lines, near their largest steps */
-static double worst_jump(double unit)
-{
-    enum { LINES = 120, STEPS = 512 };
-    static double x[STEPS], y[STEPS];
-    static float value[STEPS];
-    const struct scarp_samples out = {.value = value};
-    const struct scarp_recipe_outputs outputs = {.out = &out, .count = 1};
-    const struct scarp_scratch scratch = {.memory = memory, .size = sizeof memory};
-    uint64_t state = 7;
-    double worst = 0.0;
-    for (int line = 0; line < LINES; line++) {
-        const double turns = check_random_double(&state, 3.2), step = unit / 200.0;
-        const double start[2] = {check_random_double(&state, 20.0 * unit),
-                                 check_random_double(&state, 20.0 * unit)};
-        size_t at = 0;
-        for (size_t i = 0; i < STEPS; i++) {
-            x[i] = start[0] + cos(turns) * step * (double)i;
-            y[i] = start[1] + sin(turns) * step * (double)i;
-        }
-        CHECK(scarp_recipe_sample_f64(&recipe, STEPS, x, y, NULL, &outputs, &scratch) == SCARP_OK,
-              "samples");
-        for (size_t i = 0; i + 1 < STEPS; i++) {
-            at = fabsf(value[i + 1] - value[i]) > fabsf(value[at + 1] - value[at]) ? i : at;
-        }
-        worst =
-            larger(worst, left_over((double[]){x[at], y[at]}, (double[]){x[at + 1], y[at + 1]}));
-    }
-    return worst;
-}
-
-static int is_near(double a, double b)
-{
-    return fabs(a - b) <= 1e-6 * fabs(b);
-}
-
-/* The answers of each text, in the plane and once more in a recipe of space; that it jumps is seen.
-   What else is in the text does not count. */
-static void check_made_of(const struct made_of *m)
-{
-    static char text[ROOM];
-    struct scarp_recipe_entry entry;
-    sprintf(text, "recipe 1\na = noise(size=1e5)\nb = cell(a)\nout f = %s", m->text);
-    CHECK(parse(text, &recipe) == SCARP_OK, "%s", m->text);
-    entry = entry_of(&recipe, 2);
-    CHECK(is_near(entry.cell[0], m->largest) && is_near(entry.cell[1], m->smallest),
-          "%s: cells from %g to %g, and not from %g to %g", m->text, entry.cell[0], entry.cell[1],
-          m->largest, m->smallest);
-    CHECK(entry.jumps == (m->jumps != NO) && entry.dimensions == 2, "%s: jumps %d, %d dimensions",
-          m->text, (int)entry.jumps, (int)entry.dimensions);
-    const double jump = worst_jump(m->smallest > 0.0 ? m->smallest : 1.0);
-    CHECK((jump > 1e-3) == (m->jumps == YES), "%s jumps by %g", m->text, jump);
-    CHECK(scarp_recipe_scale(&recipe, 2.5, 9.0, NULL) == SCARP_OK, "%s: scale", m->text);
-    entry = entry_of(&recipe, 2);
-    CHECK(is_near(entry.cell[0], 2.5 * m->largest) && is_near(entry.cell[1], 2.5 * m->smallest),
-          "%s: scaled, cells from %g to %g", m->text, entry.cell[0], entry.cell[1]);
-}
-
-/* Cells in space, and of statements that are no fields */
-static void check_space(void)
-{
-    static const char text[] = "recipe 1\nspace 3\nparam p = 2\na = stretch(noise(), 2, 3, 4)\n"
-                               "b = flat(scale(noise(size=5), p))\nc = 2 * p\n"
-                               "d = turn(turn(a, 30), 50, x)";
-    static const double cells[][2] = {{0, 0}, {4, 2}, {10, 10}, {0, 0}, {4, 2}};
-    CHECK(parse(text, &recipe) == SCARP_OK, "parse");
-    for (size_t i = 0; i < 5; i++) {
-        const struct scarp_recipe_entry entry = entry_of(&recipe, i);
-        CHECK(is_near(entry.cell[0], cells[i][0]) && is_near(entry.cell[1], cells[i][1]) &&
-                  entry.dimensions == 3 && entry.jumps == 0,
-              "statement %zu: cells from %g to %g, %d dimensions", i, entry.cell[0], entry.cell[1],
-              (int)entry.dimensions);
-    }
-    (void)scarp_recipe_set(&recipe, "p", 3.0, NULL);
-    CHECK(is_near(entry_of(&recipe, 2).cell[0], 15.0), "cells follow parameters");
-}
-
-/* Nothing is finer than the smallest cell: "finest" changes nothing up to there. */
-static void check_finest(void)
-{
-    for (size_t i = 0; i < RECIPE_TEXTS; i++) {
-        struct scarp_recipe_entry entry;
-        int32_t number = 0;
-        CHECK(parse(recipe_texts[i].text, &recipe) == SCARP_OK, "%s", recipe_texts[i].name);
-        for (; scarp_recipe_entry_at(&recipe, (size_t)number, &entry) == SCARP_OK; number++) {
-            if (entry.cell[1] > 0.0) {
-                memcpy(&copy, &recipe, sizeof copy);
-                CHECK(scarp_recipe_set(&copy, "finest", (1.0 - 1e-6) * entry.cell[1], NULL) ==
-                              SCARP_OK &&
-                          entry_of(&copy, (size_t)number).hash == entry.hash,
-                      "%s: something is smaller than %g", recipe_texts[i].name, entry.cell[1]);
-            }
-        }
-    }
-    CHECK(parse("recipe 1\na = turn(stretch(noise(octaves=4), 3, 1), 9)", &recipe) == SCARP_OK &&
-              is_near(entry_of(&recipe, 0).cell[1], 0.125),
-          "a noise");
-    (void)scarp_recipe_set(&recipe, "finest", 0.3, NULL);
-    CHECK(is_near(entry_of(&recipe, 0).cell[1], 0.25), "the octaves that are left count");
-}
-
 /* A number that is an output stays one where fields behind it use it. */
 static void check_numbers(void)
 {
@@ -641,7 +429,7 @@ static void check_numbers(void)
         CHECK(scarp_recipe_sample_f64(&recipe, 1, &place, &place, NULL, &outputs, NULL) ==
                       SCARP_OK &&
                   value[0] == (i == 0 ? 5.0f : 15.0f) &&
-                  entry_of(&recipe, 0).value == (double)value[0],
+                  recipe_entry(&recipe, 0).value == (double)value[0],
               "the number is %g", (double)value[0]);
         CHECK(scarp_recipe_scale(&recipe, 2.0, 3.0, NULL) == SCARP_OK, "scale");
     }
@@ -658,11 +446,6 @@ int main(void)
     check_bad_recipes();
     check_bad_texts();
     check_answers();
-    for (size_t i = 0; i < sizeof made_of / sizeof made_of[0]; i++) {
-        check_made_of(&made_of[i]);
-    }
-    check_space();
-    check_finest();
     check_numbers();
     return check_done();
 }

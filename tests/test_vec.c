@@ -10,16 +10,14 @@
 #include "vec/numbers.h"
 #include "vec/table.h"
 
-#define TABLE_MAX (2 * LANES_MAX)
-
 static const struct vec_operations *ops;
 static int lanes;
-
-#include "vec/lookups.h" /* tests of these two */
 
 #define DIFFERENT32(a, b) (bits_of_float(a) != bits_of_float(b) && !(isnan(a) && isnan(b)))
 #define DIFFERENT64(a, b) (bits_of_double(a) != bits_of_double(b) && !(isnan(a) && isnan(b)))
 #define DIFFERENT(a, b) ((a) != (b))
+
+#include "vec/lookups.h"
 
 /*
  * RUN(name, in, out, different, format) defines a function that gives an operation all `count`
@@ -437,38 +435,6 @@ static void test_memory(void)
     test_copy_d("doubles", ops->copy_d, 1);
     test_copy_f("stream", ops->stream, lanes);
     test_parts();
-}
-
-/* Asks for every entry in every lane, and for random ones in the others. */
-static void test_permute(void)
-{
-    float entries[TABLE_MAX + LANES_MAX];
-    uint64_t state = 6;
-    for (int round = 0; round < 64; round++) {
-        for (int i = 0; i < TABLE_MAX + LANES_MAX; i++) {
-            entries[i] = float_of((uint32_t)check_random(&state) & 0xff7fffffu);
-        }
-        for (int asked = 0; asked < lanes * ops->table; asked++) {
-            const int lane = asked / ops->table;
-            uint32_t index[LANES_MAX], before[LANES_MAX];
-            float found[LANES_MAX], next[LANES_MAX], slid[LANES_MAX];
-            for (int i = 0; i < lanes; i++) {
-                index[i] = (uint32_t)(check_random(&state) % (uint64_t)ops->table);
-                index[i] = i == lane ? (uint32_t)(asked % ops->table) : index[i];
-                before[i] = index[i] > 0 ? index[i] - 1 : 0;
-            }
-            ops->permute(found, entries, index, 0);
-            ops->permute(next, entries, before, 1);
-            ops->slide(slid, entries, entries + ops->table, index);
-            for (int i = 0; i < lanes; i++) {
-                const float *const e = entries;
-                CHECK(!DIFFERENT32(found[i], e[index[i]]), "lane %d of entry %u", i, index[i]);
-                CHECK(!DIFFERENT32(next[i], e[before[i] + 1]), "lane %d after %u", i, before[i]);
-                CHECK(!DIFFERENT32(slid[i], e[(uint32_t)lanes + index[i]]), "lane %d of slid %u", i,
-                      index[i]);
-            }
-        }
-    }
 }
 
 static const struct vec_operations *operations_of(enum scarp_isa isa)

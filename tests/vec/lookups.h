@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Tests of the operations that look up floats in small tables. Part of tests/test_vec.c.
+ * Tests of the operations that look up floats in small tables, with `ops` and `lanes`. Part of tests/test_vec.c.
  */
 #ifndef SCARP_TESTS_VEC_LOOKUPS_H
 #define SCARP_TESTS_VEC_LOOKUPS_H
+
+#define TABLE_MAX (2 * LANES_MAX)
 
 /* Makes a hash per lane: its upper 16 bits come from `upper`, those below are extreme or random. */
 static void make_hashes(uint32_t *hash, uint32_t upper, uint64_t *state)
@@ -137,6 +139,38 @@ static void test_twelfth(void)
             const uint32_t wanted = (hash[i] >> 16) * 12 >> 16;
             CHECK(found[i] == wanted, "lane %d, hash %#x: %u, not %u", i, hash[i], found[i],
                   wanted);
+        }
+    }
+}
+
+/* Asks for every entry in every lane, and for random ones in the others. */
+static void test_permute(void)
+{
+    float entries[TABLE_MAX + LANES_MAX];
+    uint64_t state = 6;
+    for (int round = 0; round < 64; round++) {
+        for (int i = 0; i < TABLE_MAX + LANES_MAX; i++) {
+            entries[i] = float_of((uint32_t)check_random(&state) & 0xff7fffffu);
+        }
+        for (int asked = 0; asked < lanes * ops->table; asked++) {
+            const int lane = asked / ops->table;
+            uint32_t index[LANES_MAX], before[LANES_MAX];
+            float found[LANES_MAX], next[LANES_MAX], slid[LANES_MAX];
+            for (int i = 0; i < lanes; i++) {
+                index[i] = (uint32_t)(check_random(&state) % (uint64_t)ops->table);
+                index[i] = i == lane ? (uint32_t)(asked % ops->table) : index[i];
+                before[i] = index[i] > 0 ? index[i] - 1 : 0;
+            }
+            ops->permute(found, entries, index, 0);
+            ops->permute(next, entries, before, 1);
+            ops->slide(slid, entries, entries + ops->table, index);
+            for (int i = 0; i < lanes; i++) {
+                const float *const e = entries;
+                CHECK(!DIFFERENT32(found[i], e[index[i]]), "lane %d of entry %u", i, index[i]);
+                CHECK(!DIFFERENT32(next[i], e[before[i] + 1]), "lane %d after %u", i, before[i]);
+                CHECK(!DIFFERENT32(slid[i], e[(uint32_t)lanes + index[i]]), "lane %d of slid %u", i,
+                      index[i]);
+            }
         }
     }
 }

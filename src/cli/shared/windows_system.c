@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Windows itself: arguments, consoles, the entries of directories, processes, time.
+ * Windows itself: arguments, consoles, the entries of directories, locks, processes, time.
  */
 #include <windows.h>
 
 #include <shellapi.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -103,6 +104,44 @@ int windows_closedir(DIR *directory)
     FindClose(directory->search);
     free(directory);
     return 0;
+}
+
+/* ---- locks ---- */
+
+/* Nobody can read or write what is locked here, so locks lie where no file has bytes. */
+#define LOCKS_BEGIN (UINT64_C(1) << 62)
+
+static int set_lock(int descriptor, uint64_t place, bool locks)
+{
+    const uint64_t at = LOCKS_BEGIN + place;
+    const HANDLE file = (HANDLE)_get_osfhandle(descriptor);
+    OVERLAPPED where = {.Offset = (DWORD)at, .OffsetHigh = (DWORD)(at >> 32)};
+    const BOOL done = locks ? LockFileEx(file, LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY,
+                                         0, 1, 0, &where)
+                            : UnlockFileEx(file, 0, 1, 0, &where);
+    if (!done) {
+        windows_set_errno();
+    }
+    return done ? 0 : -1;
+}
+
+int windows_flock(int descriptor, int operation)
+{
+    return set_lock(descriptor, 0, (operation & LOCK_EX) != 0);
+}
+
+int windows_fcntl(int descriptor, int command, ...)
+{
+    if (command != F_SETLK) {
+        return 0; /* F_GETFL: nothing that matters here */
+    }
+    va_list arguments;
+    va_start(arguments, command);
+    const struct flock *const lock = va_arg(arguments, const struct flock *);
+    va_end(arguments);
+    const int result = set_lock(descriptor, 1 + (uint64_t)lock->l_start, lock->l_type == F_WRLCK);
+    errno = result != 0 && errno == EWOULDBLOCK ? EAGAIN : errno;
+    return result;
 }
 
 /* ---- processes and time ---- */
