@@ -47,7 +47,7 @@
     NUMBER(X, sharpness, SHARPNESS, 0.0, 0x1p-24, 0x1p24, "outside [2^-24, 2^24]", 0.1, 4.0,       \
            "of some fractals, which have a default each")
 
-/* NARROW(X, member, refusal, lowest, highest, why it is refused): of fractals whose traits say so */
+/* NARROW(X, member, refusal, lowest, highest, why it is refused): of fractals with such traits */
 #define SCARP_NARROW_MEMBERS(NARROW, X)                                                            \
     NARROW(X, erosion, EROSION_SHARE, 0x1p-24, 1.0, "this fractal takes 1 at most")                \
     NARROW(X, sharpness, SHARPNESS_USED, 0x1p-8, 0x1p8, "outside [2^-8, 2^8]")
@@ -102,8 +102,15 @@ static const struct {
 static const struct {
     SCARP_GULLIES_MEMBERS(DECLARE, SCARP_NO_MEMBER, )
 } gullies_bounds = {SCARP_GULLIES_MEMBERS(SET, SCARP_NO_MEMBER, )};
+#define DECLARE_OTHER(X, member, ...) double member;
+#define SET_OTHER(X, member, standard, ...) .member = (standard),
+static const struct {
+    SCARP_GULLIES_MEMBERS(SCARP_NO_MEMBER, DECLARE_OTHER, )
+} gullies_standard = {SCARP_GULLIES_MEMBERS(SCARP_NO_MEMBER, SET_OTHER, )};
 #undef DECLARE
 #undef SET
+#undef DECLARE_OTHER
+#undef SET_OTHER
 #undef DECLARE_NARROW
 #undef SET_NARROW
 

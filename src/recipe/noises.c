@@ -11,35 +11,31 @@
 #include "graph.h"
 
 /* Octaves whose cells are smaller than `finest` are left out, and the last one that is left fades
-   in. Members that are 0 have the values that the library takes for it. */
-static void limit(double finest, double frequency, float lacunarity, float octaves, float *kept,
+   in. */
+static void limit(double finest, double frequency, double lacunarity, double octaves, float *kept,
                   float *of_octaves)
 {
-    const double ratio = (double)lacunarity;
-    double cell = 1.0 / (frequency != 0.0 ? frequency : 1.0), count = 1.0;
-    while (ratio > 1.0 && count < (double)octaves && cell / ratio >= finest) {
-        cell /= ratio;
+    double cell = 1.0 / frequency, count = 1.0;
+    while (lacunarity > 1.0 && count < octaves && cell / lacunarity >= finest) {
+        cell /= lacunarity;
         count += 1.0;
     }
-    if (ratio > 1.0 && count < (double)octaves) {
-        const double fraction = (cell - finest) / (cell - cell / ratio);
+    if (lacunarity > 1.0 && count < octaves) {
+        const double fraction = (cell - finest) / (cell - cell / lacunarity);
         count += fraction > 0.0 ? fraction : 0.0;
     }
-    if (count < (double)octaves) {
-        *of_octaves = *of_octaves != 0.0f ? *of_octaves : octaves;
+    if (count < octaves) {
+        *of_octaves = *of_octaves != 0.0f ? *of_octaves : (float)octaves;
         *kept = (float)count;
     }
 }
 
-static float otherwise(float value, float standard)
-{
-    return value != 0.0f ? value : standard;
-}
-
 static void limit_noise(struct scarp_noise *noise, double finest)
 {
-    limit(finest, noise->frequency, otherwise(noise->lacunarity, 2.0f),
-          otherwise(noise->octaves, 1.0f), &noise->octaves, &noise->of_octaves);
+    limit(finest, value_or(noise->frequency, noise_bounds.frequency.standard),
+          value_or((double)noise->lacunarity, noise_bounds.lacunarity.standard),
+          value_or((double)noise->octaves, noise_bounds.octaves.standard), &noise->octaves,
+          &noise->of_octaves);
 }
 
 /* Octaves of gullies count by the cells of the base, `cells` times as large as their own: the sum
@@ -48,8 +44,10 @@ static void limit_noise(struct scarp_noise *noise, double finest)
    better. */
 static void limit_gullies(struct scarp_gullies *gullies, double finest)
 {
-    limit(finest, gullies->frequency, otherwise(gullies->lacunarity, 2.0f),
-          otherwise(gullies->octaves, 5.0f), &gullies->octaves, &gullies->of_octaves);
+    limit(finest, value_or(gullies->frequency, gullies_standard.frequency),
+          value_or((double)gullies->lacunarity, gullies_standard.lacunarity),
+          value_or((double)gullies->octaves, gullies_standard.octaves), &gullies->octaves,
+          &gullies->of_octaves);
 }
 
 /* The period along an axis in cells, of a tile. Returns false after an error. */
