@@ -1937,8 +1937,8 @@ ScarpSample scarp_octaves_at(uint plan, ScarpLevel given, uint component, float3
 
 /* Noise with warps, and the self-test of scarp_gpu_answers. */
 
-/* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
-   the deepest. */
+/* Components of a level, each at `at`, with derivatives with respect to x; `y` says how that
+   depends on x, unless the level is the deepest. */
 ScarpDisplaced scarp_level_at(uint plan, int i, int components, bool deepest, float3 at,
         ScarpDisplaced y, int dimensions)
 {

@@ -1763,8 +1763,8 @@ fn scarp_octaves_at(plan: u32, given: ScarpLevel, component: u32, x: vec3f,
 
 /* Noise with warps, and the self-test of scarp_gpu_answers. */
 
-/* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
-   the deepest. */
+/* Components of a level, each at `at`, with derivatives with respect to x; `y` says how that
+   depends on x, unless the level is the deepest. */
 fn scarp_level_at(plan: u32, i: i32, components: i32, deepest: bool, at: vec3f, y: ScarpDisplaced,
         dimensions: i32) -> ScarpDisplaced {
     let l: ScarpLevel = scarp_level_of(plan, i);

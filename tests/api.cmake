@@ -69,7 +69,7 @@ endif()
 scarp_add_test(threads threads IN musl threads NEEDS pthreads COMMAND test_threads)
 
 # The header's promise about the stack, 48 KiB, holds for optimised builds without instruments, whatever
-# their flags. In builds with flags of the project alone, calls take at most 45: other flags get the rest.
+# their flags. In builds with only the flags of the project, calls take at most 45: other flags get the rest.
 set(stack_kib 48)
 if(SCARP_OPTIMIZE AND NOT CMAKE_C_FLAGS AND NOT CMAKE_BUILD_TYPE STREQUAL "MinSizeRel")
   set(stack_kib 45)

@@ -93,7 +93,7 @@ static inline void expect_member(const struct scarp_noise *noise, int dimensions
           member != NULL ? member : "no member");
 }
 
-/* Where there are many faults, the first is told. This mends them one by one. */
+/* Where there are many faults, the first one is named. This mends them one by one. */
 static inline void test_check_order(void)
 {
     struct scarp_noise noise;

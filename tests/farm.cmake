@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Runs the recipes for farms of src/cli/README.md as they stand there, with processes that are
+# Runs the recipes for farms of src/cli/README.md as they are there, with processes that are
 # killed: one test per file farm/test_*.py. SCARP_TEST_FARM=1 in the environment also runs
 # those that start daemons, and fails where a tool is missing.
 

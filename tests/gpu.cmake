@@ -13,7 +13,7 @@ if(speed STREQUAL "full")
 else()
   scarp_add_test(gpu.source gpu test_gpu_source few)
 endif()
-# What shaders have beside noise, and recipes as their text
+# What shaders have besides noise, and recipes as their text
 scarp_test_program(test_gpu_chain INTERNAL)
 if(speed STREQUAL "full")
   scarp_add_test(gpu.chain gpu test_gpu_chain)

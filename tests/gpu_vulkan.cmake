@@ -119,7 +119,7 @@ set(gpu_some_recipes ${gpu_presets}/alps.recipe ${gpu_examples}/marble.recipe)
 scarp_add_recipe_test(gpu.recipes.glsl.full thorough glsl 6 4 ${gpu_some_recipes})
 scarp_add_recipe_test(gpu.recipes.hlsl.full thorough hlsl 4 4 ${gpu_some_recipes})
 
-# What stands in src/gpu/README.md
+# What src/gpu/README.md shows
 scarp_add_test(gpu.readme shader IN without-glslang without-spirv-tools NEEDS glslang python3
                COMMAND ${Python3_EXECUTABLE} ${gpu_dir}/readme.py blocks ${PROJECT_SOURCE_DIR} ${SCARP_GLSLANG})
 scarp_add_gpu_test(gpu.readme.commands IN thorough NEEDS pkg-config posix python3 sh

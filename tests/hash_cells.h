@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The statistics that tests/test_hash.c takes of what lattices draw beside one index per point: the
- * centres of 3D simplex noise, and the features of cellular noise.
+ * The statistics that tests/test_hash.c takes of what lattices draw besides one index per point:
+ * the centres of 3D simplex noise, and the features of cellular noise.
  */
 #ifndef SCARP_TESTS_HASH_CELLS_H
 #define SCARP_TESTS_HASH_CELLS_H

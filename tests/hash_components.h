@@ -13,7 +13,7 @@
 struct draws {
     const char *name;
     int dimensions, components;
-    uint32_t (*of)(uint32_t hash, uint32_t component); /* the hash that stands in for another */
+    uint32_t (*of)(uint32_t hash, uint32_t component); /* the hash in place of another */
     int numbers; /* how many numbers are drawn: those of gradients, or 16 intervals of values */
 };
 

@@ -12,7 +12,7 @@
  * differences are not exact enough to judge. Such points are left out, and counted. The library has
  * no say in that.
  *
- * Beside the gradient of the library stand central differences of its values, floats, at
+ * Next to the gradient of the library are central differences of its values, floats, at
  * coordinates in double precision, at the same points. The step is that of 2^-1 to 2^-16 cells of
  * the finest octave which has the least rms error. A crease may be within that step.
  *
@@ -301,7 +301,7 @@ static void print_ranges(int plain)
     printf("\n");
 }
 
-/* What the text beside the tables tells. */
+/* What the text next to the tables says. */
 static void print_summary(void)
 {
     double skipped = 0.0, least = HUGE_VAL;

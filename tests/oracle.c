@@ -287,7 +287,7 @@ static void place(const struct oracle *oracle, int k, enum oracle_rounding round
     }
 }
 
-/* The basis, raw, and what gradient noise has beside. */
+/* The basis, raw, and what gradient noise has besides. */
 static void basis_at(const struct oracle *oracle, const struct oracle_octave *octave,
                      const uint32_t cell[3], const double t[3], struct oracle_sample *n)
 {

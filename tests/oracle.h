@@ -36,8 +36,9 @@ struct oracle_sample {
 
 struct oracle_octave {
     struct octave of;
-    int64_t period[3];                      /* in cells of this octave; 2^32 without one */
-    double gradient[16][3], turning[16][3]; /* what the lattice draws from; by the phase */
+    int64_t period[3]; /* in cells of this octave; 2^32 without one */
+    double gradient[16][3],
+        turning[16][3]; /* what the lattice draws from; with respect to the phase */
 };
 
 struct oracle {
@@ -89,7 +90,8 @@ double oracle_cells_supremum(enum scarp_basis basis, int dimensions, double jitt
 int oracle_gradient_count(int dimensions);
 void oracle_gradient_vector(int dimensions, unsigned index, double vector[3]);
 
-/* The same after `turns` of a vector of speed 1, and its derivative by `turns`: oracle_phase.c. */
+/* The same after `turns` of a vector of speed 1, and its derivative with respect to `turns`:
+   oracle_phase.c. */
 void oracle_gradient_turned(int dimensions, unsigned index, double turns, double vector[3],
                             double derivative[3]);
 
@@ -157,7 +159,7 @@ void oracle_cell_noise(const struct oracle_lattice *lattice, enum scarp_basis ba
                        const uint32_t cell[3], const double t[3], struct oracle_sample *n);
 
 /* Simplex noise as authors differ in it: rows of triangles with edge 1 are `row` apart, in 3D there
-   are the corners and the centres of cubes; kernels are (square - d.d)^power. `draw` tells the
+   are the corners and the centres of cubes; kernels are (square - d.d)^power. `draw` is the
    gradient of the vertex `step` from a cell, the centre of that cube where `centre` is 1. */
 typedef void oracle_draw_vertex(const void *lattice, const uint32_t cell[3], const int step[3],
                                 int centre, double gradient[3]);
@@ -173,7 +175,7 @@ void oracle_simplex_sum(const struct oracle_simplex *simplex, const uint32_t cel
 /* What scarp has, without a lattice. */
 struct oracle_simplex oracle_simplex_own(int dimensions);
 
-/* oracle_cells.c: the features by distance from p, nearest first, as scarp_cells2 tells them. */
+/* oracle_cells.c: the features by distance from p, nearest first, as scarp_cells2 has them. */
 #define ORACLE_FEATURES 3
 struct oracle_feature {
     double square, distance, d[3]; /* d: p less the feature */
@@ -191,7 +193,7 @@ void oracle_features_add(int dimensions, struct oracle_feature feature,
 void oracle_cell_noise_of(const struct oracle_feature f[ORACLE_FEATURES], enum scarp_basis basis,
                           int dimensions, struct oracle_sample *n);
 
-/* The number of a feature's cell that scarp_cells2 tells. */
+/* The number of a feature's cell that scarp_cells2 returns. */
 uint32_t oracle_feature_id(uint32_t hash);
 
 /* oracle_perlin.c: the lattice of improved noise (Perlin 2002). `lattice` is not used. */

@@ -88,7 +88,8 @@ static void compare(const struct oracle *oracle, const struct scheme *scheme, co
     }
 }
 
-/* Differences see nothing of distances beside a feature, where derivatives of F grow as 1 / F^n. */
+/* Differences see nothing of distances next to a feature, where derivatives of F grow as
+   1 / F^n. */
 static double nearest_feature(const struct oracle *oracle, const double x[3])
 {
     struct oracle_sample n;
@@ -134,7 +135,7 @@ static void check_scheme(const struct oracle *oracle, const struct scheme *schem
         double x[3];
         for (int i = 0; i < 3; i++) {
             x[i] = check_random_double(&random, 16.0);
-            /* On most points at least one coordinate is beside a plane, on either side. */
+            /* On most points at least one coordinate is next to a plane, on either side. */
             const uint64_t choice = check_random(&random) >> 62;
             if (near_planes && choice < 2) {
                 x[i] = floor(x[i]) + (choice == 0 ? 1e-7 : -1e-7);

@@ -108,7 +108,7 @@ static inline jet terraced(jet a, double steps, double riser, double strength)
     return apply(a, f, fa, strength * s.second[0][0] * steps);
 }
 
-/* f by coordinates u, and these by x */
+/* f with respect to coordinates u, and these to x */
 static inline jet composed(jet f, const struct place *at)
 {
     jet r = {.value = f.value};

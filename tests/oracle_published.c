@@ -194,7 +194,7 @@ static void check_psrdnoise(void)
 /*
  * stb_perlin 0.5 (S. Barrett; public domain): stb_perlin_noise3_wrap_nonpow2 with the periods
  * 5, 3, 7 and the seed 9 (repository nothings/stb, commit 2bb4a0a), where all arithmetic is in
- * double. Its hash is not asked: `drawn` tells the gradient of each lattice point of one period,
+ * double. Its hash is not asked: `drawn` is the gradient of each lattice point of one period,
  * layer by layer along z, five of each row. Periods are the oracle's.
  */
 static const int64_t stb_period[3] = {5, 3, 7};

@@ -26,7 +26,7 @@ static jet jet_of(const struct oracle *noise, const struct place *at)
     return r;
 }
 
-/* Tiles repeat by their nature where cells fit; what is told here are their periods at a place,
+/* Tiles repeat by their nature where cells fit; what is here are their periods at a place,
    whose axes are those of the points. */
 static void set_periods(const struct oracle_recipe *o, struct scarp_noise *n,
                         const struct place *at)
@@ -65,7 +65,7 @@ static void displace(const struct oracle_recipe *o, int part, const struct place
 }
 
 /* The scale of a place along each axis, without what noise displaces: for tiles. It is 1 but for
-   what stretch() and its like make of it, which `part` stands in. */
+   what stretch() and its like make of it, which `part` is in. */
 struct frame {
     struct place at;
     double scale[3];
@@ -207,8 +207,8 @@ static double displacement_at(const struct oracle_recipe *o, int call,
     return oracle_gullies_at(g, u, f.value, f.first);
 }
 
-/* The gradient comes from differences of the displacement, which the oracle of gullies has alone.
- */
+/* The gradient comes from differences of the displacement, which is all that the oracle of gullies
+   has. */
 static jet gullied(const struct oracle_recipe *o, int call, const struct frame *in, int is_base)
 {
     struct oracle_gullies made;

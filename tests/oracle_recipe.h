@@ -2,7 +2,7 @@
  *
  * Recipes again, in double precision: an interpreter of the text, which walks through expressions
  * at each point, with dual numbers. It takes from the library what a text is made of, which
- * scarp_recipe_part_at tells, and no more: it has no graph, no places and no intervals.
+ * scarp_recipe_part_at says, and no more: it has no graph, no places and no intervals.
  */
 #ifndef SCARP_TESTS_ORACLE_RECIPE_H
 #define SCARP_TESTS_ORACLE_RECIPE_H

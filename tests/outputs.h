@@ -274,7 +274,7 @@ static inline size_t first_difference(const float *a, const float *b, size_t cou
 }
 
 /* Whether the first `count` elements of the members of `mask` agree, as far as both have arrays. If
-   not, *member and *index tell where. */
+   not, *member and *index say where. */
 static inline int outputs_equal(const struct outputs *a, const struct outputs *b, unsigned mask,
                                 size_t count, int *member, size_t *index)
 {

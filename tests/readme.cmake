@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Compiles and runs the samples of the documents as they stand there.
+# Compiles and runs the samples of the documents as they are there.
 
 # scarp_add_readme_test(LANGUAGE COMPILER [IN leg...] [NEEDS tool...]): the samples in this language
 set(readme_in without-bash without-c++ without-python3)

@@ -92,7 +92,7 @@ static void give_partials(enum chain f)
     }
 }
 
-/* The input at a place beside point p: the polynomial that has its value and derivatives. */
+/* The input at a place next to point p: the polynomial that has its value and derivatives. */
 static double germ(int input, int p, const double at[AXES])
 {
     double sum = (double)in[input][0][p] + (double)in[input][OUTPUT_dphase][p] * at[3];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Walks short random lines through every basis and fractal, in 2D and 3D, and looks for jumps of
- * the value. Where a value changes most, beyond the steps beside it, the test bisects that step
+ * the value. Where a value changes most, beyond the steps next to it, the test bisects that step
  * until its ends are 2^-30 cells apart. A difference that is left is a jump. Noise jumps if, and
  * only if, the header says so under "Jumps": the test fails, too, if such noise is never seen to
  * jump.
@@ -214,7 +214,7 @@ static void test_features(void)
             at[1][1] = at[1][0];
             scarp_sample2_f64(&noise, 2, at[0], at[1], &(struct scarp_samples){.value = v});
             CHECK(fabsf(v[0] + 1.0f) < 1e-4f && fabsf(v[1] + 1.0f / 3.0f) < 1e-4f,
-                  "seed %d: %g at the feature, %g beside it", (int)seed, (double)v[0],
+                  "seed %d: %g at the feature, %g next to it", (int)seed, (double)v[0],
                   (double)v[1]);
             seen++;
         }

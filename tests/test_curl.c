@@ -227,7 +227,7 @@ static void test_special(struct call c, int n)
     }
 }
 
-/* The speed that scarp.h tells, in the mean of squares, to a percent. */
+/* The speed that scarp.h promises, in the mean of squares, to a percent. */
 static void test_speed(struct call c)
 {
     static const double speeds[2][2] = {{1.27, 2.98}, {1.66, 4.30}};

@@ -28,7 +28,7 @@ static const char *shown(const char *text)
     return text != NULL ? text : "nothing";
 }
 
-/* Marks the row that a call told of, without the warps on the way. */
+/* Marks the row that a call names, without the warps on the way. */
 static void see(enum scarp_status status, const char *member, const char *text)
 {
     int found = 0;
@@ -41,7 +41,7 @@ static void see(enum scarp_status status, const char *member, const char *text)
     CHECK(found, "%d, %s: %s: no such row", (int)status, shown(member), shown(text));
 }
 
-/* A fault of a noise, and what is to be told of it. */
+/* A fault of a noise, and what is to be said of it. */
 struct bad_noise {
     struct scarp_noise noise;
     enum scarp_status status;
@@ -128,7 +128,7 @@ static const struct bad_noise bad[] = {
 };
 #define BAD (sizeof bad / sizeof *bad)
 
-/* Checks what calls tell of a noise. `path` is what stands before the member. */
+/* Checks what calls say of a noise. `path` is what is before the member. */
 static void expect_noise(const struct scarp_noise *noise, const struct bad_noise *of,
                          const char *path)
 {

@@ -6,7 +6,7 @@
  * (oracle_check.c shows that the oracle's gradients and Hessians are those of its values.)
  * Argument: the number of points per case.
  *
- * Beside a crease the two may stand on different sides of it, and then their derivatives have
+ * Next to a crease the two may be on different sides of it, and then their derivatives have
  * nothing to do with each other. Points are left out where, by the oracle, some |n_k| or, in
  * ridged, |2 s_k - 1|, and so on, is below CREASE; the share of such points is printed and bounded.
  */

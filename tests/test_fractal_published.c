@@ -24,7 +24,7 @@ static void draw(const void *opaque, const uint32_t point[3], double corner[3])
 }
 
 /* Value noise in [-1, 1] at p, in the lattice and with the offset of octave k. The fraction is
-   rounded as the calls round it, so the error of the evaluation alone is seen. */
+   rounded as the calls round it, so only the error of the evaluation is seen. */
 static struct oracle_sample noised(const struct oracle *oracle, int k, const double p[3])
 {
     const struct lattice lattice = {oracle, k};

@@ -2,7 +2,7 @@
  *
  *     test_gpu_chain [few]
  *
- * What shaders have beside noise, as C: the chain rule, the sine, quotients, vector noise, cells
+ * What shaders have besides noise, as C: the chain rule, the sine, quotients, vector noise, cells
  * and velocities have the bits of the library. gpu.recipes has places, masks and gullies.
  */
 #include "check.h"

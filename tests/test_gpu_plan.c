@@ -132,7 +132,7 @@ static struct scarp_gpu_level level_expected(const struct scarp_noise *noise, ui
     return e;
 }
 
-/* Compares words, so that zeros count that nothing is told of. `what` is a level or an octave. */
+/* Compares words, so that zeros count that no test names. `what` is a level or an octave. */
 static void compare_words(const void *a, const void *b, size_t size, const char *name,
                           const char *what, int number)
 {

@@ -55,7 +55,7 @@ static int is_in_name(char c)
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/* How often `name(` of `length` stands in the text, and how often it is declared. */
+/* How often `name(` of `length` is in the text, and how often it is declared. */
 static int count_calls(const char *name, size_t length, int *declared)
 {
     int calls = 0;
@@ -76,7 +76,7 @@ static int is_one_of(const char *name, const char *beginning)
 }
 
 /* In WGSL each function that is called is there once, and each that is there is called, but for
-   those that the recipe offers, and what stands in its own text anyway. */
+   those that the recipe offers, and what is in its own text anyway. */
 static void check_whole(const char *name)
 {
     for (const char *at = strstr(text, "scarp_"); at != NULL; at = strstr(at + 1, "scarp_")) {
@@ -258,7 +258,7 @@ static void check_uniforms(void)
               size % 16 == 0 && size >= 16 + 48 + 3 * 160,
           "%zu bytes", size);
     CHECK(scarp_recipe_uniforms(&recipe, NULL, 0, &least) == SCARP_ERROR_SIZE && least == size,
-          "the size is told");
+          "the size is said");
     memset(after, 0x5a, sizeof after);
     CHECK(scarp_recipe_uniforms(&recipe, after, size - 1, &least) == SCARP_ERROR_SIZE &&
               after[0] == 0x5a,
@@ -327,7 +327,7 @@ static uint32_t hash_with(uint32_t hash, float output)
     return ((hash << 5 | hash >> 27) ^ bits) * 0x9e3779b9u;
 }
 
-/* Answers are hashes of outputs: equal ones of equal outputs, and of those up to the order alone.
+/* Answers are hashes of outputs: equal ones of equal outputs, and only of those up to the order.
  */
 static void check_answers(void)
 {

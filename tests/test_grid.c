@@ -2,7 +2,7 @@
  *
  * Every sample of a grid has the bits of the point calls, whatever the tiles, strides, steps,
  * origins and instruction set, and nothing between the rows is written. Fewer than 1000 CASES run
- * fewer large grids too; 0 CASES run these alone.
+ * fewer large grids too; 0 CASES run only these.
  *
  *     test_grid ISA [CASES]
  *     test_grid --must-differ ISA [CASES] some results must differ: for mutants
@@ -133,7 +133,7 @@ static void test_tiles(const struct grid_case *c, uint64_t *state)
         output_names[member], where);
 }
 
-/* Samples rows on lattice planes, where rounding alone decides between two cells: samples that
+/* Samples rows on lattice planes, where only rounding decides between two cells: samples that
    should be k / 16 cells apart cross one column more or less now and then. */
 static void test_on_planes(uint64_t *state)
 {

@@ -180,7 +180,7 @@ static void test_bad(int bits)
 }
 
 /* Tests the hashes that components draw from as if each were the hash of the lattice. Those of
-   gradients have upper halves alone. */
+   gradients have only upper halves. */
 static void test_component_hashes(int bits)
 {
     for (size_t i = 0; i < sizeof component_hashes / sizeof component_hashes[0]; i++) {

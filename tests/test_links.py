@@ -72,7 +72,7 @@ def check_links(source, names):
 
 
 def check_calls(source):
-    """Each public function stands in one row of the table of calls, and no other name."""
+    """Each public function is in one row of the table of calls, and no other name."""
     header = re.sub(r"(?s)/\*.*?\*/", "", read(source, "include", "scarp.h"))
     public = re.findall(r"(?m)^SCARP_API [^;]*?(scarp_\w+)\(", header)
     table = read(source, "src", "calls", "README.md")

@@ -168,7 +168,7 @@ static void test_in_place(enum function f, const struct scarp_noise *noise)
     }
 }
 
-/* Does the same with the value alone, which replaces one coordinate. */
+/* Does the same with only the value, which replaces one coordinate. */
 static void test_value_in_place(enum function f, const struct scarp_noise *noise)
 {
     const struct scarp_samples all = outputs_subset(&whole, 1);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * Proves by branch and bound, as test_range.c does for noise that stands still, that gradient noise
- * with a phase (scarp.h, "Flow") never exceeds scarpi_phase_supremum, and that its derivative by the
- * phase never exceeds 4 pi times that. It also shows that numbers a bit smaller would be wrong.
+ * with a phase (scarp.h, "Flow") never exceeds scarpi_phase_supremum, and that its derivative with
+ * respect to the phase never exceeds 4 pi times that. It also shows that numbers a bit smaller
+ * would be wrong.
  * Arguments: how much of the suprema the proof may add in 2D (1e-11) and in 3D (0: nothing). It
  * takes longer, the less there is.
  */
@@ -194,7 +195,7 @@ static double second_order3(const struct proof *proof, const double *m, double h
 }
 
 /*
- * Whether S <= limit everywhere. In 2D a quarter of the cell stands for all. In 3D, half a turn
+ * Whether S <= limit everywhere. In 2D a quarter of the cell is enough. In 3D, half a turn
  * around x takes the gradients to themselves at every phase. Half a turn around (0, 1, -1) takes
  * them to those of the opposite phase, and their derivatives with respect to the phase to the
  * opposite of these, so that the cell is mirrored besides. So y <= 1/2 and a sixth of a turn will

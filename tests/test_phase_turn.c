@@ -2,7 +2,7 @@
  *
  * Tests how gradients turn with a phase (scarp.h, "Flow"): the cosines and sines of all octaves
  * against libm's, the directions against the header's words, and that noise is the same along all
- * axes at every phase, as far as moments of the directions tell. Argument: the number of random
+ * axes at every phase, as far as moments of the directions show. Argument: the number of random
  * phases.
  */
 #include "../src/plan/phase.h"

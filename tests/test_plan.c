@@ -155,7 +155,7 @@ static void test_plan_garbage(const struct reserved_test *t)
     const size_t pointers = 8 + offsetof(struct scarp_noise, warp);
     for (size_t bit = 0; bit < 8 * (8 + sizeof noise); bit++) {
         if (bit / 8 >= pointers && bit / 8 < pointers + 2 * sizeof(void *)) {
-            continue; /* what stands there is not compared */
+            continue; /* what is there is not compared */
         }
         bytes[bit / 8] ^= (unsigned char)(1u << bit % 8);
         CHECK_BITS(plan_is_harmless(t, &noise, &plan, SAMPLE2), "bit %zu is not looked at", bit);

@@ -6,7 +6,7 @@
  *     test_presets SEEDS             all presets with seeds from 1 to SEEDS
  *     test_presets SEEDS --print     prints the figures, too
  *
- * What a preset claims stands in its comments: `#: drains`, `#: directed` (its direction is meant),
+ * What a preset claims is in its comments: `#: drains`, `#: directed` (its direction is meant),
  * `#: sand` (no slope is steeper than sand lies).
  */
 #include <math.h>
@@ -385,8 +385,8 @@ static void check_seeds(void)
         read_preset(i, &preset);
         for (const char *at = preset.text; (at = strstr(at, "seed=")) != NULL; at++) {
             const int seed = atoi(at + 5);
-            CHECK(seed > 0 && seed < 10000 && !seen[seed], "%s: seed %d stands twice", preset.name,
-                  seed);
+            CHECK(seed > 0 && seed < 10000 && !seen[seed], "%s: seed %d is there twice",
+                  preset.name, seed);
             seen[seed] = 1;
         }
         for (const char *at = preset.text; (at = strstr(at, "noise(")) != NULL; at++) {

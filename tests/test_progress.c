@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What progress.c tells of the time that is left, with a clock of the test's own: it includes the
+ * What progress.c says of the time that is left, with a clock of the test's own: it includes the
  * file, and reads what that prints on stderr.
  */
 #include "../src/cli/shared/progress.c"
@@ -49,7 +49,7 @@ int main(int argc, char **argv)
         printf("usage: test_progress FILE\n");
         return 2;
     }
-    start(&progress, 40); /* a short run tells nothing */
+    start(&progress, 40); /* a short run says nothing */
     check(file, "0");
     progress_add(&progress, 39);
     now += 9.9;

@@ -350,7 +350,7 @@ static void search_edges(int dimensions, enum scarp_fade fade, long samples)
     for (int opposite = 0; opposite < 2; opposite++) {
         for (int block = 0; block < 100; block++) {
             for (size_t i = 0; i < BLOCK; i++) {
-                /* Half of them within 2^-6 of the ends, beside the edge too. */
+                /* Half of them within 2^-6 of the ends, next to the edge too. */
                 const double span = i % 2 == 0 ? 0x1p-6 : 1.0;
                 const double along = check_random_double(&random, span);
                 points[0][i] = edge[opposite][0] + (along < 0.0 ? 1.0 + along : along);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The samples in the documents compile without a warning, print what stands there, and make the
-pictures that stand there; the animation is a loop.
+"""The samples in the documents compile without a warning, print what is shown there, and make the
+pictures that are there; the animation is a loop.
 
     test_readme.py LANGUAGE SOURCE_DIR LIBRARY INCLUDE_DIR SCRATCH_DIR COMPILER_ID FLAGS COMPILER
                    [EMULATOR...]
@@ -52,7 +52,7 @@ void fragment(struct scarp_noise noise, struct scarp_samples out)
     (void)noise, (void)out;
 %s}
 """
-# Runs samples, a list on stdin, and tells what each prints.
+# Runs samples, a list on stdin, and says what each prints.
 INTERPRETER = """
 import contextlib, io, json, sys
 printed = []

@@ -237,7 +237,7 @@ static void check_language(void)
                            "recipe 1\na = noise(octaves=2)");
 }
 
-/* Arguments that have names may stand in any order. */
+/* Arguments that have names may be in any order. */
 static void check_names(void)
 {
     static const struct {

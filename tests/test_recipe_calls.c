@@ -81,7 +81,7 @@ static void check_calls(void)
     CHECK(scarp_recipe_parse("", 0, NULL, NULL, 0, NULL) == SCARP_ERROR_NULL, "no recipe");
 }
 
-/* The size of scratch memory, and what it is not told for */
+/* The size of scratch memory, and what it is refused for */
 static void check_scratch_size(void)
 {
     static const struct scarp_recipe none;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a recipe says of itself: ranges, what editors are told, the words, hashes.
+ * What a recipe says of itself: ranges, what editors ask, the words, hashes.
  */
 #include "recipe_values.h"
 
@@ -131,7 +131,7 @@ static int spans(const char *text, const uint32_t span[2], const char *word)
     return strlen(word) == span[1] - span[0] && strncmp(text + span[0], word, strlen(word)) == 0;
 }
 
-/* What editors are told */
+/* What editors ask */
 static void check_descriptions(void)
 {
     const char *const text = "recipe 1\nparam k = 2 [1, 3]\nw = noise(size=8, amplitude=k)\n"

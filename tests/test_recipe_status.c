@@ -3,7 +3,7 @@
  * Usage: test_recipe_status
  *
  * No output of a recipe is memory that nobody wrote. Results are the same whatever was in outputs,
- * in scratch memory and on the stack before. And where a call that recipes stand on fails, which
+ * in scratch memory and on the stack before. And where a call that recipes make fails, which
  * the linker (--wrap) makes each of them do in turn, recipes return its error: samples are NaN,
  * nothing is written where constants and answers go, and intervals are no narrower (but for room
  * for rounding, which is relative to finite ends).

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Random calls, for as long as told: every promise of arguments.h is checked, memory stays flat,
+ * Random calls, for as long as asked: every promise of arguments.h is checked, memory stays flat,
  * and the hash of all results is that of any other machine.
  *
  *     test_soak CASES [FILE]        so many cases; their hash must be the one that FILE has for
  * them test_soak --seconds SECONDS   prints the hash of 2,000 cases, and of every 50,000 test_soak
- * --case NUMBER       this case alone, as where one has failed
+ * --case NUMBER       only this case, as where one has failed
  */
 #if !defined(_WIN32) && !defined(__wasm__)
 #define _DEFAULT_SOURCE
@@ -48,7 +48,7 @@ static void run_case(uint64_t number)
     targets[number % TARGETS](bytes, sizeof bytes);
 }
 
-/* The most memory that the program ever had; 0 where the system does not tell. */
+/* The most memory that the program ever had; 0 where the system does not say. */
 static long peak_kib(void)
 {
 #if HAS_USAGE

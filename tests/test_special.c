@@ -77,7 +77,7 @@ static void make_points(int stride)
 /* Noise `i` of NOISES: bases and fades with every kind of frequency, octaves and axes. */
 static struct scarp_noise noise_make(int i)
 {
-    /* What edges tell of F1 and F2, they tell of their difference. */
+    /* What edges say of F1 and F2, they say of their difference. */
     static const enum scarp_basis own[] = {SCARP_SIMPLEX, SCARP_CELL_EDGE, SCARP_CELL_SOFT,
                                            SCARP_CELL_VALUE};
     static const struct scarp_noise kinds[BLENDS / 4] = {

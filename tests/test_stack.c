@@ -285,7 +285,7 @@ static void measure_grids(const struct guarded *stack, struct job *job, struct w
     }
 }
 
-/* The answers for shaders, which take room for points beside that of their samples. */
+/* The answers for shaders, which take room for points besides that of their samples. */
 static void measure_shaders(const struct guarded *stack, struct job *job, struct worst *worst)
 {
     static struct scarp_gpu_plan plan;

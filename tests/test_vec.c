@@ -4,7 +4,7 @@
  *
  *     test_vec ISA
  *
- * Elements are compared by their bits, NaN being one number. Every number stands in every lane
+ * Elements are compared by their bits, NaN being one number. Every number is in every lane
  * once.
  */
 #include "vec/numbers.h"

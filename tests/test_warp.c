@@ -82,7 +82,7 @@ static void displace_all(struct block *y, const struct places *x, struct rebuilt
     }
 }
 
-/* Turns samples at x + d into samples by x. */
+/* Turns samples with respect to x + d into samples with respect to x. */
 static void compose_all(struct rebuilt *out, struct rebuilt *const d[3], int dimensions)
 {
     for (size_t i = 0; i < BLOCK; i++) {

@@ -3,7 +3,7 @@
  * Are the gradient and the Hessian of noise with warps those of its value? The value is that of
  * y = x + d(x) in double, noise and d being the oracle's; the derivatives are central differences
  * of it. What comes out without the Jacobian of y, the gradient of the noise at y, is measured
- * beside. Argument: the number of points per case.
+ * next to it. Argument: the number of points per case.
  */
 #include "fractal.h"
 #include "oracle_warp.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What some tests need beside the compiler: tools, and parts of the project that can be left out.
+# What some tests need besides the compiler: tools, and parts of the project that can be left out.
 # A test is always there. Where what it needs is missing, ctest runs test_skip in its place, which
 # says so and is reported as skipped; SCARP_REQUIRE_TOOLS in the environment (names from here,
 # separated by commas) turns that into a failure.

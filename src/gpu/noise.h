@@ -10,8 +10,8 @@
 #include "../formulas/answers.h"
 #include "../formulas/warp.h"
 
-/* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
-   the deepest. */
+/* Components of a level, each at `at`, with derivatives with respect to x; `y` says how that
+   depends on x, unless the level is the deepest. */
 static inline struct displaced level_at(uint plan, int i, int components, bool deepest, vec3 at,
                                         struct displaced y, int dimensions)
 {

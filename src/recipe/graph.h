@@ -49,7 +49,8 @@ int scarpi_recipe_reads(const struct recipe *recipe, int node, int16_t reads[REC
 /* The node of an output. */
 int scarpi_recipe_output_node(const struct recipe *recipe, int output);
 
-/* Whether derivatives by the coordinates of a place are those by its frame's. */
+/* Whether derivatives with respect to the coordinates of a place are those with respect to its
+   frame's. */
 int scarpi_recipe_is_frame(const struct recipe *recipe, int place);
 
 /* The dimensions of a frame, which is a place, or -1 for the points. */

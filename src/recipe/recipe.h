@@ -116,7 +116,7 @@ enum recipe_operation {
     OP_COMPONENT,  /* number `detail`; in[0] is the OP_VECTOR */
     OP_CELL,       /* `detail`: 0 the id, 1 or 2 a distance */
     OP_GULLIES,    /* the displacement; in[0] is the base */
-    OP_PULL,       /* in[0] with derivatives by the frame of the place, instead of by its u */
+    OP_PULL,       /* in[0] with derivatives with respect to the frame of the place, not to its u */
 /* These combine in[0] to in[2]. */
 #include "../plan/functions.def"
     OP_COUNT

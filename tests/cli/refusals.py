@@ -5,7 +5,7 @@ import subprocess
 
 
 def refusals(program, cases):
-    """What test_cli_refused, which lies beside the program, says of each case, a list of words: what
+    """What test_cli_refused, which is next to the program, says of each case, a list of words: what
     came of it, how many errors there were, and the last. None where it was not built."""
     ending = ".exe" if program[-1].endswith(".exe") else ""
     beside = os.path.join(os.path.dirname(program[-1]), "test_cli_refused" + ending)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The picture of normals from the gradient beside normals from differences."""
+"""The picture of normals from the gradient next to normals from differences."""
 import math
 
 import common
@@ -7,7 +7,7 @@ from common import SMALL, Case
 from rasters import read_picture
 
 class Compare(Case):
-    """The picture of normals from the gradient beside normals from differences."""
+    """The picture of normals from the gradient next to normals from differences."""
 
     RIDGED = ("--fractal", "ridged", "--rotate", "--frequency", "0.02", "--octaves", "5")
 
@@ -38,7 +38,7 @@ class Compare(Case):
                                    for row in normal.rows for _ in range(pixels)])
 
     def test_differences_half(self):
-        """Follows from the 16-bit heights alone; at the edges from those of the next tiles."""
+        """Follows from the 16-bit heights only; at the edges from those of the next tiles."""
         width, height, scale = 31, 23, 30.0
         for fractal, share, more in (
                 ("ridged", 1.0, ()), ("fbm", 2.0, ()),
@@ -80,7 +80,7 @@ class Compare(Case):
         self.check_rows(tile, [row[1500:1600] for row in whole[3:12]])
 
     def test_they_differ(self):
-        """The gradient tells of a crest what differences smear."""
+        """The gradient shows a crest that differences smear."""
         _, left, right = self.compare(1, "--size", "64x64", *self.RIDGED)
         far = sum(max(abs(a - b) for a, b in zip(p, q)) > 40
                   for one, other in zip(left, right) for p, q in zip(one, other))

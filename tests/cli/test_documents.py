@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is written about the program beside its help: man page, completion, the manual's sessions."""
+"""What is written about the program besides its help: man page, completion, the manual's sessions."""
 import os
 import re
 import subprocess
@@ -70,7 +70,7 @@ class Completion(Case):
             self.assertEqual(self.complete("sample", "--input", "so"), ["some.csv"])
 
     def test_completion_of_options(self):
-        """All that the help tells; an emulated program is not there to be asked. Numbers have
+        """All that the help says; an emulated program is not there to be asked. Numbers have
         none."""
         if len(common.PROGRAM) != 1:
             self.skipTest("needs a program that runs by itself")
@@ -83,7 +83,7 @@ class Completion(Case):
         self.assertIn("alps", self.complete("recipe", ""))
 
     def test_completion_of_words(self):
-        """The words that the help has for an option, which stand there as "a, b or c"."""
+        """The words that the help has for an option, which are there as "a, b or c"."""
         for command in COMMANDS[:-1]:
             text = re.sub(r"\n {18}", " ", text_of("help", command))
             for option in re.findall(r"(?m)^  (--[a-z-]+) NAME(?!=)", text):

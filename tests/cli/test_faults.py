@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What becomes of files when calls of the system fail, or a run is killed in one: told by strace."""
+"""What becomes of files when calls of the system fail, or a run is killed in one: strace shows it."""
 import os
 import re
 import shutil
@@ -38,7 +38,7 @@ class TracedCase(WorldCase):
 
 
 class PowerCut(TracedCase):
-    """What has its name is on the disk: told by the order of the system's calls."""
+    """What has its name is on the disk: seen by the order of the system's calls."""
 
     def calls(self, *arguments):
         """The calls that matter, as ("fsync", name) or ("rename", from, to), in their order"""

@@ -48,7 +48,7 @@ class Formats(Case):
         return first
 
     def test_heights(self):
-        """Integers are the floats over the range that the help tells, to the nearest."""
+        """Integers are the floats over the range that the help names, to the nearest."""
         for arguments, lowest, highest in (
                 ((), -1, 1), (("--amplitude", "-2.5"), -2.5, 2.5),
                 (("--fractal", "erosion"), -1, 1), (("--fractal", "turbulence"), 0, 1),
@@ -81,7 +81,7 @@ class Formats(Case):
         self.check_agree("--hillshade", False, (WIDTH, HEIGHT, 1, 8))
 
     def test_gradient(self):
-        """The slopes of the floats beside it: x grows to the right, y upward."""
+        """The slopes of the floats next to it: x grows to the right, y upward."""
         gradient = self.check_agree("--gradient", True, (WIDTH, HEIGHT, 2, 32), "--octaves", "1")
         z = self.read("--heights", "r32", "--octaves", "1").rows
         steepest = [max(abs(slope[i]) for slope in gradient.flat()) for i in (0, 1)]
@@ -149,7 +149,7 @@ class Formats(Case):
         self.assertEqual(self.files(), ["heights.hdr", "heights.img"])
 
     def test_prefix(self):
-        """What stands before the colon tells the format, whatever the extension."""
+        """What is before the colon is the format, whatever the extension."""
         for text, kind, name in (("r32:t", "r32", "t"), ("npy:t.pgm", "npy", "t.pgm"),
                                  ("R16:t.raw", "r16", "t.raw"), ("r32:a:b", "r32", "a:b"),
                                  ("img:t.bin", "img", "t.bin"), ("a:b.npy", "npy", "a:b.npy")):
@@ -216,7 +216,7 @@ class Names(Case):
             return error
 
     def test_unknown(self):
-        """The message tells the formats of the layer, which are those of its help."""
+        """The message names the formats of the layer, which are those of its help."""
         text = text_of("terrain", "--help")
         for option in FORMATS:
             entry = re.search(r"\n  %s (?s:.*?)(?=\n  --)" % option, text).group()
@@ -275,7 +275,7 @@ class Names(Case):
                 self.check((option, name), option, "without zlib")
 
     def test_no_device_for_envi(self):
-        """A header beside it would be a file in /dev."""
+        """A header next to it would be a file in /dev."""
         if not os.path.exists("/dev/null"):
             self.skipTest("needs /dev/null")
         self.check(("--heights", "img:/dev/null"), "--heights", "/dev/null")

@@ -8,7 +8,7 @@ import common
 from common import PROGRAM, Case, has_threads, skip_all
 
 if not sys.platform.startswith("linux"):
-    skip_all("only Linux tells the memory of one process in known units")
+    skip_all("only Linux shows the memory of one process in known units")
 if common.SPEED != "full":
     skip_all("%s: what is added to the program takes memory and time" % common.SPEED)
 
@@ -32,7 +32,7 @@ class Memory(Case):
                                   "--normals", "npy:/dev/null"), 120)
 
     def test_wide(self):
-        """As the help tells: 32 rows of the files, where these are more; here 122 MiB."""
+        """As the help says: 32 rows of the files, where these are more; here 122 MiB."""
         self.assertLess(self.peak("--size", "1000000x40", "--heights", "r32:/dev/null"), 122 + 30)
 
     def test_tiles(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files beside the height: outputs of a recipe, masks, slopes and curvature."""
+"""Files besides the height: outputs of a recipe, masks, slopes and curvature."""
 import json
 import math
 import re
@@ -61,7 +61,7 @@ class Fields(OutputsCase):
             self.assertLess(min(dry), 0)
 
     def test_scale(self):
-        """--scale makes places larger, and of all outputs the height alone."""
+        """--scale makes places larger, and of all outputs only the height."""
         self.quietly(*SIZE, "--recipe", "r.recipe", "--out", "ridge=ridge.r32", "--out", "a=a.r32")
         plain = {name: self.floats(name) for name in ("ridge.r32", "a.r32")}
         self.quietly(*SIZE, "--recipe", "r.recipe", "--scale", "4", "--step", "4", "--out",
@@ -89,7 +89,7 @@ class Fields(OutputsCase):
         self.assertEqual(result.stdout.count(b"16-bit plain"), len(kinds) - 5)
 
     def test_same_field_twice(self):
-        """One output may go to several files, and stands beside all other layers."""
+        """One output may go to several files, next to all other layers."""
         self.quietly(*SIZE, "--recipe", "r.recipe", "--out", "a=a.npy", "--out", "a=a.r32",
                      "--relief", "c.npy", "--heights", "h.r32")
         self.assertEqual(read_picture(self.path("a.npy")).flat(), self.floats("a.r32"))

@@ -73,7 +73,7 @@ class Phase(Case):
         return ends, [end / manifest["height"] for end in manifest["derived"]["range"]], manifest["phase"]
 
     def test_scale(self):
-        """All frames have one scale, which is told and is that of the samples."""
+        """All frames have one scale, which is printed and is that of the samples."""
         for fade, fractal, low, amplitude in (("quintic", "fbm", -1, 1), ("cubic", "fbm", -1, 1),
                                               ("quintic", "erosion", -1, 1),
                                               ("quintic", "turbulence", 0, 3),
@@ -260,7 +260,7 @@ class PhaseRefused(Case):
                     self.assertIn("is not a finite number", error)
 
     def test_value_noise(self):
-        """What has no gradients cannot turn them, at no phase; the message tells what can."""
+        """What has no gradients cannot turn them, at no phase; the message says what can."""
         for command in ("terrain", "sample"):
             for phase in ("0", "0.5", "1"):
                 error = self.refused("--phase", command, "--basis", "value", "--phase", phase)
@@ -270,7 +270,7 @@ class PhaseRefused(Case):
         self.refused("--dphase", "terrain", "--dphase")
 
     def test_others(self):
-        """What else does not go together is told as without a phase."""
+        """What else does not go together is refused as without a phase."""
         self.refused("--hessian", "sample", "--fractal", "erosion", "--hessian", "--dphase")
         self.refused("--rotate", "terrain", "--tileable", "--rotate", "--phase", "0.5")
 

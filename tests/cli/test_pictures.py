@@ -25,7 +25,7 @@ class Pictures(Case):
     """What the pictures show."""
 
     def test_defaults(self):
-        """The help tells the defaults that are used."""
+        """The help has the defaults that are used."""
         text = text_of("terrain", "--help")
         defaults = {}
         for block in re.split(r"\n(?=  --|\n)", text):

@@ -25,7 +25,7 @@ class Progress(Case):
         self.assertEqual(found.group(1), "scalar")
 
     def test_units(self):
-        """They suit the amounts: no raster is so small that 0.0 million samples are told."""
+        """They suit the amounts: no raster is so small that 0.0 million samples are printed."""
         for size in ("1x1", "3x1", "40x30", "2000x1500"):
             result = run("terrain", "--size", size, "--octaves", "1", "--heights", "h.r32",
                          cwd=self.directory)

@@ -177,7 +177,7 @@ class Recipes(Case):
                                       whole[64 * row + 32:64 * row + 64]))
 
     def test_tile(self):
-        """--period writes a tile; what does not fit tells the nearest."""
+        """--period writes a tile; of what does not fit, the message has the nearest."""
         self.write(RECIPE.replace("size=80", "size=64").replace("size=60", "size=32"))
         two = self.heights("--size", "128x64", "--period", "64x64", "--recipe", "r.recipe")
         rows = [two[128 * r:128 * r + 128] for r in range(64)]
@@ -245,7 +245,7 @@ class Recipes(Case):
 
 class RecipesRefused(Case):
     def refused(self, text, *told, words=("--recipe", "r.recipe"), command="terrain"):
-        """One line with what is told; nothing is written."""
+        """One line with these texts; nothing is written."""
         if text is not None:
             with open(self.path("r.recipe"), "wb") as file:
                 file.write(text.encode() if isinstance(text, str) else text)
@@ -309,7 +309,7 @@ class Command(Case):
     """`scarp recipe`"""
 
     def test_presets(self):
-        """What is printed is a recipe again, with its parameters and outputs told behind it."""
+        """What is printed is a recipe again, with its parameters and outputs as comments behind it."""
         for name in presets():
             printed = text_of("recipe", name)
             with open(self.path("r.recipe"), "w", encoding="utf-8") as file:
@@ -375,7 +375,7 @@ class Command(Case):
         self.assertEqual(result.stderr.count(b"\n"), 1)
 
     def test_help(self):
-        """The language is told."""
+        """The file says its language."""
         told = text_of("help", "recipe")
         for word in ("smoothstep(a, lo, hi)", "gullies(f, ", "terrace(", "--set NAME=VALUE"):
             self.assertIn(word, told)

@@ -274,7 +274,7 @@ class Relief(Painted):
         self.assertTrue(all(blue > red for red, green, blue in blue))
 
     def test_presets(self):
-        """Each has the palette that its recipe tells."""
+        """Each has the palette that its recipe names."""
         size = ("--size", "24x16", "--step", "97")
         names = re.findall(r"(?m)^  (\w+) +\S", common.text_of("help", "recipe").split("presets ")[1])
         palettes = {name: re.search(r"(?m)^#: palette (\w+)$", common.text_of("recipe", name, "--text"))

@@ -108,7 +108,7 @@ class Sheet(Case):
             self.assertGreaterEqual(d[1] - a[1], 24 + 9)
 
     def test_labels(self):
-        """Below each panel and beside its left edge; titles above columns and left of rows"""
+        """Below each panel and next to its left edge; titles above columns and left of rows"""
         page = self.sheet("--panel", "130x24", "--step", "2", *ONE, *GROUND, "--sheet",
                           "seed=1..2,gain=0.3|0.5")
         labels = self.texts(page, "seed 1  gain 0.3", "seed 2  gain 0.3", "seed 1  gain 0.5",
@@ -193,7 +193,7 @@ class Sheet(Case):
         self.assertEqual(places, sorted(places, key=lambda place: (place[1], place[0])))
 
     def test_kinds_of_options(self):
-        """Presets with their palettes, switches, palettes, and what stands on the command line"""
+        """Presets with their palettes, switches, palettes, and what is on the command line"""
         page = self.sheet(*PANEL, *ONE, "--sheet", "preset=dunes|islands")
         for preset in ("dunes", "islands"):
             self.quietly("--size", "40x24", "--step", "2", "--preset", preset, "--relief", "t.ppm")

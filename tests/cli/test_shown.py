@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The commands that the documents show run as they stand there; the tiles that they make for
+"""The commands that the documents show run as they are there; the tiles that they make for
 engines have the sizes and the shared edges that engines want."""
 import os
 import re
@@ -13,7 +13,7 @@ from common import ROOT, Case, run
 from rasters import read_bytes
 from test_gallery import gallery_commands
 
-# The documents with commands, and how many each has beside those of the gallery, at least
+# The documents with commands, and how many each has besides those of the gallery, at least
 MANUAL = "src/cli/README.md"
 DOCUMENTS = {"README.md": 2, MANUAL: 9}
 

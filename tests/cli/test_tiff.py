@@ -63,7 +63,7 @@ class Tiff(Case):
 
     @unittest.skipUnless(SPEED == "full", "samples and packs some 10 million samples before it writes")
     def test_big(self):
-        """A raster that may take more than 4 GB has 64-bit offsets: told by its first bytes, while
+        """A raster that may take more than 4 GB has 64-bit offsets, as its first bytes say, while
         it is written, and by that of one which is just smaller."""
         for size, version in (("40000x23000", 42), ("40000x29000", 43)):
             process = common.start("terrain", "--size", size, "--octaves", "1", "--threads", "1",
@@ -84,7 +84,7 @@ class Systems(Case):
     """--crs"""
 
     def test_utm(self):
-        """ENVI tells zones of UTM."""
+        """ENVI names zones of UTM."""
         for number, zone, half in (("32601", "1", "North"), ("32760", "60", "South")):
             self.quietly(*PLACE, "--crs", "EPSG:" + number, "--heights", "a.img")
             self.assertEqual(decode_envi_header(self.bytes("a.hdr").decode())["map info"],

@@ -30,7 +30,7 @@ def quotient_up(a, b):
 
 class TileCase(Case):
     def files(self):
-        """Without the manifest, of which test_world.py tells"""
+        """Without the manifest, which test_world.py tests"""
         return [name for name in super().files() if not name.endswith(".json")]
 
     def picture(self, name, width, height):
@@ -108,7 +108,7 @@ class Tiles(TileCase):
         self.check_tiles(FILES[:1], (3, 2), overlap=100, size=(4, 3))
 
     def test_slivers(self):
-        """A warning tells of tiles that hold no more than the overlap, and of the size that has none."""
+        """A warning names tiles that hold no more than the overlap, and the size that has none."""
         for size, tile, overlap, told in (
                 ("33x33", "16x16", "1", "33x33 leaves slivers at the right and at the bottom, which are "
                  "no larger than the --overlap; 32x32 leaves none"),

@@ -127,7 +127,7 @@ class View(Case):
             self.assertGreaterEqual(red, green)
 
     def test_closing_lines(self):
-        """The camera is told as options, which give the same picture again."""
+        """The camera is printed as options, which give the same picture again."""
         result = run("view", *SMALL, "--output", "v.ppm", cwd=self.directory)
         self.assertEqual((result.returncode, result.stderr), (0, b""))
         text = result.stdout.decode()
@@ -219,7 +219,7 @@ class ViewRefused(Case):
         self.assertEqual(self.files(), ["bad.txt"])
 
     def test_camera_under_the_ground(self):
-        """The height of the ground is told, and is where the camera may not be."""
+        """The height of the ground is printed, and is where the camera may not be."""
         self.check("--output", "v.ppm", "--camera", "512,512,-100", words=("--camera", "-100"))
         error = run("view", *SMALL, "--output", "v.ppm", "--camera", "512,512,-100",
                     cwd=self.directory).stderr.decode()

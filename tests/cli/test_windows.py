@@ -101,7 +101,7 @@ class Windows(Case):
         return process
 
     def being_written(self, made):
-        """What it writes; the description of all tiles may stand beside that, finished or not."""
+        """What it writes; the description of all tiles may be next to that, finished or not."""
         return [name for name in os.listdir(made) if name.startswith("0-0.r32") and name.endswith(".part")]
 
     def kill(self, process):
@@ -137,7 +137,7 @@ class Windows(Case):
         self.assertTrue([name for name in left if name.endswith(".part")], left)
 
     def test_two_runs_share_tiles(self):
-        """Locks tell them which tiles the other one is at: none is written twice."""
+        """Locks show them which tiles the other one is at: none is written twice."""
         arguments = ["terrain", "--size", "256x256", "--octaves", "16", "--tile", "32x32", "--resume",
                      "--threads", "1", "--heights", "{x}-{y}.r32"]
         runs = [start(*arguments, cwd=self.directory) for _ in range(2)]

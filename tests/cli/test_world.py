@@ -57,7 +57,7 @@ class WorldCase(Case):
 
 
 class Manifest(WorldCase):
-    """What all files of a world have in common stands beside them, and no other world joins."""
+    """What all files of a world have in common is next to them, and no other world joins."""
 
     def test_contents(self):
         self.quietly(*TERRAIN, "--seed", "18446744073709551615", "--overlap", "1", "--origin",
@@ -287,7 +287,7 @@ class Manifest(WorldCase):
 
 
 class Patterns(WorldCase):
-    """Where the numbers of a tile stand in its name."""
+    """Where the numbers of a tile are in its name."""
 
     def test_names(self):
         expected = {}
@@ -433,7 +433,7 @@ class Shares(WorldCase):
     @POSIX
     def test_manifest_goes(self):
         """While a run is at a tile its manifest is removed, and perhaps another world begun: the
-        tile takes its name only beside a manifest of its own world."""
+        tile takes its name only next to a manifest of its own world."""
         files = ("--heights", "w.r32", "--normals", "n.npy")
         self.quietly(*TERRAIN, *files)
         expected = self.walk()

@@ -61,14 +61,14 @@ mkdir "$notes/first"
 cp -p [hg]_*.??? "$notes/first"
 rm h_0_1.r32 g_2_2.img
 touch "$notes/now"
-sleep 0.1 # which every clock of a file system tells
+sleep 0.1 # which every clock of a file system shows
 quietly "$@" --tile 10x8 --heights h.r32 --gradient g.img --resume
 made=$(find . -name '[hg]_*.[ri]*' -newer "$notes/now" | sort | tr -d '\n')
 [ "$made" = ./g_0_1.img./g_2_2.img./h_0_1.r32./h_2_2.r32 ] || fail "--resume made $made"
 unchanged
 [ -z "$(find . -name '*.part')" ] || fail "unfinished files are left: $(ls -A)"
 
-# Tiles of another world are refused; the manifest tells of this one.
+# Tiles of another world are refused; the manifest is that of this one.
 refused 2 '--seed is 1 there and 2 here' terrain "$@" --tile 10x8 --heights h.r32 \
     --gradient g.img --seed 2 --resume
 unchanged

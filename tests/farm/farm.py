@@ -3,8 +3,8 @@
 
     test_NAME.py PROGRAM DOCUMENT SCRATCH [LIBRARY]
 
-Each runs recipes of the document as they stand there, in a directory of its own below SCRATCH, and
-prints what happens. The world alone is smaller than there. LIBRARY is for test_locks.py.
+Each runs recipes of the document as they are there, in a directory of its own below SCRATCH, and
+prints what happens. Only the world is smaller than there. LIBRARY is for test_locks.py.
 With SCARP_TEST_FARM=1 in the environment a missing tool is a failure, and daemons may be started;
 else such a test is skipped.
 """
@@ -185,7 +185,7 @@ class Farm:
         return result.stdout
 
     def start(self, name):
-        """A recipe, as it stands, in a shell."""
+        """A recipe, as it is, in a shell."""
         return self.start_shell(self.recipes[name])
 
     def start_shell(self, script, **environment):

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# A real Slurm on this machine alone, without systemd: munged, slurmctld and several slurmd, which
+# A real Slurm on this machine only, without systemd: munged, slurmctld and several slurmd, which
 # are its nodes node1, node2, ... For tests of array jobs and of nodes that die.
 #
 #   slurm.sh DIR start [NODES [CPUS]]   3 nodes with 4 CPUs each, whatever the machine has
@@ -85,7 +85,7 @@ JobAcctGatherType=jobacct_gather/none
 AccountingStorageType=accounting_storage/none
 MpiDefault=none
 SwitchType=switch/none
-# The lines below tell how many CPUs there are, not the hardware.
+# The lines below say how many CPUs there are, not the hardware.
 SlurmdParameters=config_overrides
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU

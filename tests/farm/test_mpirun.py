@@ -23,7 +23,7 @@ def test(new_farm):
     tell("kill -9 of share %s: %s" % (victim.share(), farm.story()))
     victim.signal(signal.SIGKILL)
     status = run.wait()
-    check(status != 0, "mpirun does not tell that a process died")
+    check(status != 0, "mpirun does not say that a process died")
     tell("mpirun has ended with %d: %s" % (status, farm.story()))
     farm.run("Open MPI")
     tell("mpirun again, to its end: " + farm.story())

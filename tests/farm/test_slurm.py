@@ -28,7 +28,7 @@ class Cluster:
                        env=self.farm.environment, stdout=subprocess.DEVNULL, check=True)
 
     def tasks(self, array=None):
-        """The tasks of all arrays, or one: dictionaries of what scontrol tells"""
+        """The tasks of all arrays, or one: dictionaries of what scontrol prints"""
         text = self.farm.output("scontrol", "show", "job", "--oneliner").decode()
         found = [dict(re.findall(r"(\w+)=(\S*)", line)) for line in text.splitlines()
                  if "JobId=" in line]

@@ -102,7 +102,7 @@ enum scarp_status fuzz_check(struct draw *d, const struct fuzz_call *call);
    elements have. What is between the rows must be untouched. */
 void fuzz_check_places(const struct fuzz_call *of_points, const struct fuzz_places *places);
 
-/* Makes the call for the best set alone: whether it gives fuzz_result. */
+/* Makes the call for the best set only: whether it gives fuzz_result. */
 int fuzz_same(const struct fuzz_call *call);
 
 int fuzz_is_nan(float number);

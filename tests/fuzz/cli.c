@@ -34,7 +34,7 @@ void fuzz_no_errors(void)
 
 void fuzz_must_tell(bool has_failed, const char *what)
 {
-    MUST(fuzz_errors == (has_failed ? 1 : 0), "%s: %s, and %d errors are told", what,
+    MUST(fuzz_errors == (has_failed ? 1 : 0), "%s: %s, and %d errors are printed", what,
          has_failed ? "it failed" : "it succeeded", fuzz_errors);
     fuzz_no_errors();
 }

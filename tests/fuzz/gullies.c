@@ -99,7 +99,7 @@ static void draw_base(struct draw *d, struct arguments *a)
     }
 }
 
-/* What the calls that take gullies alone say; returns what other calls must return. */
+/* What the calls that take only gullies say; returns what other calls must return. */
 static enum scarp_status check_words(const struct scarp_gullies *gullies, float range[2])
 {
     const char *member = "", *again = "";

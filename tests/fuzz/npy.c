@@ -7,7 +7,7 @@
 #include "formats/npy.h"
 #include "fuzz.h"
 
-/* Whether the type can stand in quotes, as the program's own do, and was not cut off */
+/* Whether the type can be in quotes, as the program's own do, and was not cut off */
 static int is_plain(const struct npy_array *array)
 {
     const size_t length = strlen(array->descr);

@@ -134,7 +134,7 @@ static struct scarp_grid place(const uint8_t header[HEADER_SIZE], int has_slices
     return grid;
 }
 
-/* What sampling takes beside the recipe */
+/* What sampling takes besides the recipe */
 struct sampling {
     struct scarp_recipe_outputs outputs;
     struct scarp_scratch scratch;

@@ -4,7 +4,7 @@
  *
  * An input is the language, then how many edits are made in a short file that has what is looked
  * for, and the edits: where (2 bytes), how many bytes go (1), how many come (1), and these. What is
- * left of the input stands behind.
+ * left of the input is behind.
  */
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * A recipe as the program reads it, with --set, --scale and --period: it is described as JSON, and
- * its ground has heights in the interval that it tells.
+ * its ground has heights in the interval that it says.
  *
  * Two bytes, the lines of --set, an empty line, and the recipe.
  */

@@ -15,7 +15,7 @@
 #include "terrain/terrain_options.h"
 #include "view/view_options.h"
 
-/* Prints a word, and what stands behind it. */
+/* Prints a word, and what is behind it. */
 static void print(const char *word, const char *behind)
 {
     const char *const parts[] = {word, behind};

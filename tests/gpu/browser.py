@@ -6,7 +6,7 @@
 
 WRITE_CASES is the program that writes what to compare with, of recipes gpu_recipe_cases; SOURCE the
 top of the repository, with the shaders and src/gpu/README.md, whose sample must compile. The page
-tells how it went: the exit status is 0, 1, or 77 where the browser lacks WebGPU or WebGL 2. OPTION
+says how it went: the exit status is 0, 1, or 77 where the browser lacks WebGPU or WebGL 2. OPTION
 no-barrier lets compilers fuse operations.
 """
 import os

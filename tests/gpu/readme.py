@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What stands in src/gpu/README.md holds, block by block. A block that no test knows is a mistake.
+"""What src/gpu/README.md says is so, block by block. A block that no test knows is a mistake.
 
-    readme.py blocks SOURCE GLSLANG      the shader in GLSL compiles; parts of samples stand in the
-                                         samples as they stand here
+    readme.py blocks SOURCE GLSLANG      the shader in GLSL compiles; parts of samples are in the
+                                         samples as they are here
     readme.py commands SOURCE LIBRARY    the commands build and run the program, which says what
                                          the document says
 
@@ -47,7 +47,7 @@ class Readme:
 
 def check_part(readme, language, body):
     texts = [(readme.samples() / name).read_text() for name in PARTS[language]]
-    assert any(body in text for text in texts), f"stands in none of {PARTS[language]}:\n{body}"
+    assert any(body in text for text in texts), f"is in none of {PARTS[language]}:\n{body}"
 
 
 def check_blocks(readme, glslang):

@@ -7,7 +7,7 @@
  * FILE is scarp.glsl, scarp.hlsl or scarp.wgsl. The recipes are those of files, then of those of
  * recipes.h and COUNT random ones every so many-th, and masks3. Of each, number N, there are in
  * DIRECTORY, which exists: N.comp (of GLSL, for Vulkan), N.hlsl or N.wgsl, the shader of a program
- * that runs it; N.text, its functions alone; N.uniforms; N.points, x, y and z; N.outputs, of each
+ * that runs it; N.text, only its functions; N.uniforms; N.points, x, y and z; N.outputs, of each
  * output value, dx, dy, dz, dxx, dxy, dxz, dyy, dyz, dzz; and N.answers. Arrays of 4-byte words in
  * the processor's order. index.json lists the recipes: their dimensions, and the order of each
  * output.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs recipes as shaders, in compute shaders of WebGPU or fragment shaders of WebGL 2, and compares
-// all outputs and the self-test with what recipe_cases.c wrote. It tells how long pipelines take.
+// all outputs and the self-test with what recipe_cases.c wrote. It says how long pipelines take.
 import {get} from "./get.js";
 
 const MEMBERS = 10;

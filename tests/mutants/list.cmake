@@ -4,17 +4,17 @@
 #
 #   mutant(stage.mistake IN path... TEXT [[text]] BECOMES [[text]] SEEN_BY test [SETS set...])
 #
-# IN         files or folders of src/; TEXT must stand exactly once in all files there
+# IN         files or folders of src/; TEXT must be found exactly once in all files there
 # TEXT       what is replaced; short, so that it outlives changes nearby
-# BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
+# BECOMES    what is put in its place, where MUTANT is 1 if this mutant is switched on, or else 0
 # SEEN_BY    bits (results of points differ from the scalar kernels'), chain (those of functions of
 #            samples), curl (velocities from those of their potentials), gullies (those of sets from the
 #            scalar kernels'), vector (components of vector
 #            noise from those of the scalar kernels, or from samples and warps), plan (those of kept
-#            plans from those without), grid (results of grids from those of points), large (the same, large grids
-#            alone), golden (hashes from golden.txt), recipe_bits (recipes on grids from those at points, and
+#            plans from those without), grid (results of grids from those of points), large (the same, only large
+#            grids), golden (hashes from golden.txt), recipe_bits (recipes on grids from those at points, and
 #            hashes from recipes.txt), or crash
-#            (the library crashes in the one call where only that can tell; see test_grid.c)
+#            (the library crashes in the one call where only that shows it; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
 # positions

@@ -17,7 +17,7 @@ foreach(file IN LISTS FILES)
   set("mutated_${file}" "${original_${file}}")
 endforeach()
 
-# How often `text` stands in `content`, at most 2.
+# How often `text` is in `content`, at most 2.
 function(count_text content text result)
   string(FIND "${content}" "${text}" first)
   string(FIND "${content}" "${text}" last REVERSE)

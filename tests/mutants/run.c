@@ -8,7 +8,7 @@
  *
  *     mutant_TEST ISA GOLDEN_FILE      all mistakes of the set that TEST has to see
  *
- * SCARP_MUTANT in the environment names one mistake, which alone is run then.
+ * SCARP_MUTANT in the environment names one mistake: then only that is run.
  */
 #include <signal.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # The binary interface has what abi.xml says: functions, structures, enumerators. More functions, or
-# enumerators at the end, break no program. gcc tells of the public functions; the kernels, which
+# enumerators at the end, break no program. gcc describes the public functions; the kernels, which
 # nobody sees, are not compiled.
 #
 #     abi.sh SETTINGS           compares

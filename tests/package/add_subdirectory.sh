@@ -6,7 +6,7 @@
 . ./common.sh
 
 # find_worst BUILD: sets $worst to the least optimised kernel's last -O flag; - is none. Fails if the
-# generator does not tell its commands.
+# generator does not print its commands.
 find_worst()
 {
     [ -e "$1/compile_commands.json" ] || return 1

@@ -44,7 +44,7 @@ configure()
         -DCMAKE_SHARED_LINKER_FLAGS="$link_flags" -DSCARP_SETS="$sets" "$@"
 }
 
-# configure_consumer SOURCE BUILD OPTION...: a project in $language alone, C or CXX
+# configure_consumer SOURCE BUILD OPTION...: a project only in $language, C or CXX
 configure_consumer()
 {
     if [ "$language" = CXX ]; then

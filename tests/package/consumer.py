@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a user of the shared library writes in Python, with ctypes alone.
+"""What a user of the shared library writes in Python, with only ctypes.
 
 Usage: consumer.py LIBRARY VERSION
 """

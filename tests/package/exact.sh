@@ -20,7 +20,7 @@ fresh exact
 tests=$PWD
 cd "$dir"
 
-# compiled COMPILER OPTION...: the file with AVX2 alone, as ./refused
+# compiled COMPILER OPTION...: the file with only AVX2, as ./refused
 compiled()
 {
     echo "$*"
@@ -48,7 +48,7 @@ for compiler in clang-14 clang-19 clang; do
     run ./refused refused
     plain $compiler -ffp-contract=off -mfma
     run ./refused served
-    # Parts of -ffast-math that no macro tells of
+    # Parts of -ffast-math that no macro shows
     for option in "-fassociative-math -fno-signed-zeros -fno-trapping-math" -freciprocal-math -fno-signed-zeros; do
         # shellcheck disable=SC2086 # words
         plain $compiler -ffp-contract=off $option

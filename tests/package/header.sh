@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The header alone, strictly, in the oldest and newer standards of C and C++.
+# The header by itself, strictly, in the oldest and newer standards of C and C++.
 . ./common.sh
 
 case $c_compiler_id in

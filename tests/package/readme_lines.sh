@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Types what README.md shows under "The first program" and "Linking", in this order, in a tree of scarp.
-# hello.c must print what stands there, each of three times.
+# hello.c must print what is shown there, each of three times.
 #
 #     readme_lines.sh README TREE PROJECT    PROJECT is an empty folder, for the project of CMake
 set -eu

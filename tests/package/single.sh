@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The library as one file: compiled by the command that stands in it, it gives the golden bits with
+# The library as one file: compiled by the command in it, it gives the golden bits with
 # all its sets; flags that would change bits do not, or are refused.
 . ./common.sh
 ! sanitized || skip "the objects of the library are sanitized already"
@@ -15,13 +15,13 @@ fresh single
     -P "$source_dir/cmake/single.cmake"
 tests=$PWD/..
 cd "$dir"
-grep -q "scarp $version in one file" scarp_single.c || fail "it does not tell its version"
+grep -q "scarp $version in one file" scarp_single.c || fail "it does not say its version"
 grep -q 'Permission is hereby granted' scarp_single.c || fail "it has no licence"
 if grep -n "$source_dir" scarp_single.c; then
     fail "it names the source tree"
 fi
 
-# What stands before the sources, with a sum that the flags would fuse.
+# What is before the sources, with a sum that the flags would fuse.
 sed '/^#include <float.h>/,$d' scarp_single.c >fused.c
 echo 'float f(float a, float b, float c) { return a * b + c; }
 #endif' >>fused.c

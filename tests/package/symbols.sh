@@ -40,7 +40,7 @@ tr '\n' '\0' <"$objects" | xargs -0 "$nm" -g >"$dir/symbols"
 awk 'NF == 3 { print $3 }' "$dir/symbols" | sort -u >"$dir/defined"
 awk 'NF == 2 && $1 == "U" { print $2 }' "$dir/symbols" | sort -u >"$dir/undefined"
 grep -q scarp_sample2 "$dir/defined" || fail "nm found no symbols"
-grep '^scarp_' "$dir/defined" | same "what the objects define beside internal functions"
+grep '^scarp_' "$dir/defined" | same "what the objects define besides internal functions"
 if grep -Ev "^(scarpi?_.*|$added)\$" "$dir/defined"; then
     fail "global symbols without the prefix scarp_, or scarpi_ for internal functions"
 fi

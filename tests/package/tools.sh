@@ -15,7 +15,7 @@ for package in Python3 Threads; do
     set -- "$@" "-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"
 done
 configure "$source_dir" "$dir/build" "$@" >"$dir/log" 2>&1 || fail "$(cat "$dir/log")"
-grep 'will be skipped' "$dir/log" || fail "what is missing is not told: $(cat "$dir/log")"
+grep 'will be skipped' "$dir/log" || fail "what is missing is not named: $(cat "$dir/log")"
 "$cmake" --build "$dir/build" --config "$config" --target test_skip >"$dir/log" 2>&1 ||
     fail "$(cat "$dir/log")"
 

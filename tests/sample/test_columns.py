@@ -40,7 +40,7 @@ class Coordinates(Case):
 
 
 class Header(Coordinates):
-    """Columns named x, y and z are the coordinates, wherever they stand."""
+    """Columns named x, y and z are the coordinates, wherever they are."""
 
     def test_names(self):
         for data in ("x,y\n1.5,2.25\n", "id,x,y\n7,1.5,2.25\n", "id,y,x\n7,2.25,1.5\n",
@@ -266,7 +266,7 @@ class Chosen(Coordinates):
                                    "--output-format", "csv"), "x,y,value\n1.5,2.25,%s\n" % value)
 
     def test_ragged(self):
-        """Without a header row, what stands behind the columns need not be regular."""
+        """Without a header row, what is behind the columns need not be regular."""
         data = "a 1.5 2.25\nb 1.5 2.25 some words\nc 1.5 2.25 x\n"
         for data in (data, data.replace(" ", ",")):
             self.assertEqual(self.text(data, "--columns", "2,3"), self.value2 * 3)

@@ -83,7 +83,7 @@ class Lines(Case):
 
 
 class Delimiters(Case):
-    """What separates columns, and what marks decimals: found where it is plain, and told where not."""
+    """What separates columns, and what marks decimals: found where it is plain, and refused where not."""
 
     def setUp(self):
         super().setUp()
@@ -118,7 +118,7 @@ class Delimiters(Case):
                                "--columns: standard input has no columns x and y; choose from 'lon', 'lat'")
 
     def test_commas_stay(self):
-        """What else stands in the row of CSV"""
+        """What else is in the row of CSV"""
         self.check("1.5,2.25,a;b\n-3.5,4.75,c;d\n", "--dims", "2")
         self.check("1.5,2.25,a\tb\n-3.5,4.75,c\td\n", "--dims", "2")
         self.check('x,y,"a;b"\n1.5,2.25,0\n-3.5,4.75,0\n', header="value\n")
@@ -268,7 +268,7 @@ class Columns(Case):
                                            "text"), value * 2)
 
     def test_keep_csv(self):
-        """The line as it stands, quotes and blanks included."""
+        """The line as it is, quotes and blanks included."""
         value = self.text("1.50 2")[:-1]
         self.assertEqual(self.text('1.50 , "2"\n', "--keep"), '1.50 , "2",%s\n' % value)
         self.assertEqual(self.text('x, "y, m",n\r\n1.50,2,"a ""b"", c"\r\n', "--keep", "--columns",
@@ -293,13 +293,13 @@ class Columns(Case):
                                arguments=("--keep", "--dims", "2", "--output-format", "text"))
 
     def test_keep_is_regular(self):
-        """Results stand in the same column on every line."""
+        """Results are in the same column on every line."""
         for data in ("1 2 a\n1 2\n", "1 2 a\n1 2 a b\n", "x,y\n1,2,3\n"):
             self.check_refused(data, ":2: ", "but the first line has",
                                arguments=("--keep", "--dims", "2", "--output", self.path("o")))
 
     def test_keep_npy(self):
-        """Coordinates alone, from and to .npy."""
+        """Only coordinates, from and to .npy."""
         point = (1.5, 2.25, 7.0)
         value = float(self.text("1.5 2.25"))
         for data in (npy([point]), npy([point], ">f4"), "1.5,2.25,seven\n", "1.5 2.25 7 8\n"):

@@ -386,7 +386,7 @@ class Options(Case):
         self.check("points.csv")
 
     def test_octaves(self):
-        """Each that the library takes; the bound is told in the same words everywhere."""
+        """Each that the library takes; the bound is named in the same words everywhere."""
         points = some_points(2, 20)
         data, options = make_input("text", points), ("--gradient", "--lacunarity", "1.5")
         for word in OCTAVES_TAKEN:

@@ -47,7 +47,7 @@ static void test_lookup(void)
     }
 }
 
-/* The four vectors of hashes are independent: each index stands in each of them. */
+/* The four vectors of hashes are independent: each index is in each of them. */
 static void test_lookup_four(void)
 {
     static const struct lookup tables[] = {

@@ -44,7 +44,7 @@ static inline uint64_t bits_of_double(double a)
 }
 
 /* At each exponent another bit stands for a half; it and those below decide whether a float has a
-   fraction. So each bit comes alone, with all below it, and with all from it on. */
+   fraction. So each bit comes by itself, with all below it, and with all from it on. */
 static inline void make_floats(void)
 {
     uint64_t state = 1;

@@ -213,7 +213,7 @@ const MADE = [
     ['a statement goes; a comment above more lines stays', (m) => edits.remove(m, read, named(m, 'ridges')),
         [['# The ridges\nridges = warp(noise(ridged, size=200), bend)\n', '# The ridges\n'],
             ['clamp(ridges,', 'clamp(0,']]],
-    ['a statement stands in its uses', (m) => edits.inline(m, read, named(m, 'land')),
+    ['a statement is put into its uses', (m) => edits.inline(m, read, named(m, 'land')),
         [['land = tall * clamp(ridges, lo=-0.5 * tall, hi=1) - bend / 2\n', ''],
             ['all = land', 'all = (tall * clamp(ridges, lo=-0.5 * tall, hi=1) - bend / 2)']]],
     ['a number becomes a parameter', (m) => edits.extract(m, read, partOf(m, '300')),

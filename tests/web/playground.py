@@ -5,7 +5,7 @@ Pictures are asked for by the options of the program, which is what links of old
 
     test_NAME.py [CLASS.TEST...]
 
-The environment tells where things are: SCARP_PROGRAM, SCARP_CHROMIUM, SCARP_PLAYGROUND (the
+The environment says where things are: SCARP_PROGRAM, SCARP_CHROMIUM, SCARP_PLAYGROUND (the
 assembled page), SCARP_CC and SCARP_LIBRARY (a C compiler, and the folder of the shared library),
 SCARP_NODE, which may be empty. SCARP_REQUIRE_TOOLS with "chromium" in it turns a skipped test into
 a failure.
@@ -109,7 +109,7 @@ class Playground(unittest.TestCase):
         self.assertEqual(said, [], "the console is silent")
 
     def open(self, words=(), **view):
-        """Opens the page anew, or if it is there, what the part of the URL behind # tells."""
+        """Opens the page anew, or if it is there, what the part of the URL behind # says."""
         hash = fragment(words, **view)
         if self.page.run("globalThis.playground === undefined"):
             self.page.open(self.url + hash)

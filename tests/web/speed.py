@@ -6,7 +6,7 @@
 
 PLAYGROUND is the folder with the assembled page; options go to the browser. Frames are whole here,
 as large as the raster; the page itself shows previews with fewer samples where there is no time.
-WebGPU is that of the adapter that is told, here one in software.
+WebGPU is that of the adapter that is named, here one in software.
 """
 import itertools
 import shutil

@@ -21,7 +21,7 @@ class Edit(Playground):
             self.page.key(letter, text=letter)
 
     def index(self, what):
-        """Where it stands in the string of the page, whose mountains count twice"""
+        """Where it is in the string of the page, whose mountains count twice"""
         return self.page.run(f"playground.work.editor.text.indexOf({what!r})")
 
     def press(self, key, code, modifiers=0):
@@ -241,7 +241,7 @@ class Edit(Playground):
             ["a", "out a = tall * warp(noise(ridged, size=70, octaves=4), bend)", None]]])
 
     def test_large_texts(self):
-        """What is too long is told; the longest is edited without waiting."""
+        """What is too long is said; the longest is edited without waiting."""
         self.open(PLACE, text=TEXT)
         self.write("recipe 1\n" + "# " + "x" * 17000)
         self.assertIn("longer than 16,384 bytes", self.shown("#notice"))

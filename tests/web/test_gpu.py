@@ -17,7 +17,7 @@ STATUS = "document.getElementById('status-gpu').textContent"
 BY_GPU = f"{STATUS}.startsWith('picture by the GPU') && playground.last.isGpu && " \
     "document.documentElement.dataset.ready === 'yes'"
 PRESS = "document.getElementById('gpu').click()"
-# Notes what the status tells of the GPU, and who made each frame.
+# Notes what the status says of the GPU, and who made each frame.
 NOTE = """(() => {
     globalThis.noted = {texts: [], frames: []};
     const status = document.getElementById("status-gpu"), {onFrame} = playground.pool;
@@ -216,7 +216,7 @@ class Gpu(Playground):
 
 class Without(Playground):
     def says(self, text):
-        """The status tells why the module goes on, and that does."""
+        """The status says why the module goes on, and that does."""
         self.page.wait(f"{STATUS} === 'wasm goes on: {text}'")
         self.page.run("playground.changeSeed(1)")
         self.page.wait("playground.whole.job.source.seed === 2n")

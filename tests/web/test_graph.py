@@ -272,7 +272,7 @@ class Menus(Graph):
         self.assert_undone()
 
     def test_what_does_not_fit_is_not_offered(self):
-        """On a wire into a displacement there are noises alone."""
+        """On a wire into a displacement there are only noises."""
         self.open()
         point = self.page.run("""(() => {
             const path = document.querySelector(".is-hit[data-from=bend]");
@@ -552,7 +552,7 @@ class Places(Graph):
                 self.click(".graph-tools button:nth-child(2)")
 
     def test_wires_cross_no_more_than_they_need(self):
-        """Sources that stand in the wrong order are sorted by the inputs that they go to."""
+        """Sources that are in the wrong order are sorted by the inputs that they go to."""
         crossings = self.page.run("""(() => {
             const {arrange} = test, cards = ["a", "b", "c", "d", "sum"].map(id => ({id, width: 100, height: 60, out: 10}));
             const wires = ["d", "b", "c", "a"].map((from, i) => ({from, to: "sum", port: 10 + 12 * i}));

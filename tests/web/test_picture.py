@@ -61,7 +61,7 @@ class Picture(Playground):
         self.assertLess(sum(off) / len(off), 2)
 
     def test_a_recipe_of_ones_own(self):
-        """It has the bits of the program; with errors, they are told and the picture stays."""
+        """It has the bits of the program; with errors, it shows them and the picture stays."""
         text = "recipe 1\nparam tall = 80 [0, 300]\nbend = noise(size=90, amplitude=20)\n" \
             "out a = tall * warp(noise(ridged, size=70, octaves=4), bend)\n"
         path = self.file("own.recipe", text)
@@ -98,7 +98,7 @@ class Picture(Playground):
         self.ready()
 
     def test_statements_and_parts_are_looked_at(self):
-        """Values are those that the program writes for an output, the interval is told and met."""
+        """Values are those that the program writes for an output, the interval is shown and met."""
         text = "recipe 1\nbend = noise(size=90, amplitude=20)\nhigh = smoothstep(bend, -5, 5)\n" \
             "out a = 50 * noise(size=70) * high\n"
         self.open(PLACE, text=text, view="slope")

@@ -75,7 +75,7 @@ class Space(Playground):
         self.assertEqual(self.read(middle), self.sky(middle), "below the base is nothing")
 
     def test_sides_follow_the_edge(self):
-        """Where the edge is high, the side is, too; beside that is sky."""
+        """Where the edge is high, the side is, too; next to that is sky."""
         self.look(pose((0, -1.2, 0.1)), RIDGE)
         ridge, beside = (0.0, 0.0), (0.4, 0.0)
         self.assertGreater(apart(self.read(ridge)[0], self.sky(ridge)[0]), 60)
@@ -119,7 +119,7 @@ class Space(Playground):
                 self.assertLess(apart(*self.read(self.from_above(-0.2), self.from_above(0.2))), 6)
 
     def test_shadows_are_those_of_rays(self):
-        """Rays to the rims of the sun, over the same heights, tell what is lit and what is dark."""
+        """Rays to the rims of the sun, over the same heights, show what is lit and what is dark."""
         self.open(["--size", "96x80", "--step", "24"], space="3d",
                   text="recipe 1\nout a = 700 * noise(size=600, octaves=3)\n")
         values = self.page.run("[...playground.whole.values]")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests what people do with the playground beside the recipe: see playground.py."""
+"""Tests what people do with the playground besides the recipe: see playground.py."""
 import re
 import subprocess
 
@@ -25,7 +25,7 @@ class Use(Playground):
         x, y, _ = self.centre("#map")
 
         def under(x, y):
-            """The place that the page tells of a point of the map"""
+            """The place that the page shows of a point of the map"""
             self.page.mouse("mouseMoved", x, y)
             words = self.shown("#readout").split()
             self.assertEqual(words[::2], ["x", "y", "height"])

@@ -2,7 +2,7 @@
 """Reads explained.txt: why mutations that no test notices are none that one could notice."""
 import sys
 
-ANY = ""  # in place of the name of a function: the line stands in no other
+ANY = ""  # in place of the name of a function: the line is in no other
 
 def read_explained(path):
     """{a key of keys_of: reason}; see the top of explained.txt."""
@@ -49,7 +49,7 @@ def keys_of(m):
 
 
 def ambiguous(reasons, mutations):
-    """The keys that name no function, though their line stands in several."""
+    """The keys that name no function, though their line is in several."""
     functions = {}
     for m in mutations:
         for key in keys_of(m):

@@ -4,7 +4,7 @@
  * rules.py builds:
  *
  *     SCARP_RULE=NUMBER     switches on this mutation
- *     SCARP_RULE_MET=FILE   of RULES ints, in which 1 tells that a mutation was met
+ *     SCARP_RULE_MET=FILE   of RULES ints, in which 1 says that a mutation was met
  */
 #define _POSIX_C_SOURCE 200809L
 #include <fcntl.h>

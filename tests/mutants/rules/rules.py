@@ -34,7 +34,7 @@ from build import HERE, RULES, Mutation, Work, list_mutations, parse, read_sourc
 from explained import ambiguous, key_of, keys_of, read_explained, reason_of
 from tests import QUICK, default_tests, first_to_notice, processor_seconds, quick_tests, useful
 
-# What became of a mutation. `stage` is that of `test`, which noticed it, or "none"; `ended` tells how, or
+# What became of a mutation. `stage` is that of `test`, which noticed it, or "none"; `ended` says how, or
 # "survived", or "not met" if no test comes by.
 Verdict = collections.namedtuple("Verdict", "number mutation stage test ended seconds")
 
@@ -132,7 +132,7 @@ def parse_arguments():
     parser.add_argument("--resume", action="store_true", help="go on where the last run ended")
     parser.add_argument("--jobs", type=int, default=1, help="so many tests at a time")
     parser.add_argument("--sanitize", action="store_true", help="compile with AddressSanitizer and UBSan")
-    parser.add_argument("--tests", metavar="REGEX", help="default tests of these names alone")
+    parser.add_argument("--tests", metavar="REGEX", help="only default tests of these names")
     parser.add_argument("--thorough", action="store_true", help="thorough ones, and the program, too")
     parser.add_argument("--no-default", action="store_true", help="leave the default tests out")
     parser.add_argument("--minutes", type=float, default=1e9, help="begin with no mutation later")

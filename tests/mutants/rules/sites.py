@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Finds what a rule may change in a C source, and writes the source with all changes in it.
 
-A *site* is an expression inside a function, and a *mutation* the text that stands in its place. Rules:
+A *site* is an expression inside a function, and a *mutation* the text in its place. Rules:
 
     operators      + and -, * and /, & and |, << and >>, && and || change places; ^ becomes |, % becomes *;
                    the same of += and its like
@@ -11,7 +11,7 @@ A *site* is an expression inside a function, and a *mutation* the text that stan
     whole numbers  one more, one less; of hexadecimal ones, one bit changes
     floats         0.01 % more, and the sign changes; 0 becomes 0.001
 
-Each mutation stands behind scarp_rule_is(number), so one compilation serves all of them. Expressions that
+Each mutation is behind scarp_rule_is(number), so one compilation serves all of them. Expressions that
 have to be constant are left out where they can be told by their place: in static variables, sizes of
 arrays and labels. Others do not compile, and rules.py leaves them out then. No text outside of functions
 is changed.

@@ -153,7 +153,7 @@ ENDS = {
     "n - 2 ==> n - 3": ("survived", "-"), # 6, 3, 0
     "n - 2 ==> n - 1": ("survived", "-"),
     "i & 3 ==> i | 3": ("crashed", "toy_quick"),
-    "i & 3 ==> i & 4": ("survived", "-"), # since the test takes the first entry alone
+    "i & 3 ==> i & 4": ("survived", "-"), # since the test takes only the first entry
     "i & 3 ==> i & 2": ("survived", "-"),
     "GLUED(1) != toy_1 ==> GLUED(1) == toy_1": ("failed", "toy_quick"),
 }
