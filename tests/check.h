@@ -250,4 +250,15 @@ static inline enum scarp_isa check_select_isa(const char *name)
     return isa;
 }
 
+/* Selects the instruction set that the only argument names, as check_select_isa does. Without one, prints
+   the usage and ends the program. */
+static inline enum scarp_isa check_isa_argument(int argc, char **argv)
+{
+    if (argc != 2) {
+        printf("usage: %s ISA\n", argv[0]);
+        exit(EXIT_FAILURE);
+    }
+    return check_select_isa(argv[1]);
+}
+
 #endif

@@ -82,4 +82,16 @@ static inline void draw_points(float span)
          ? call##3_f64(noise, count, f64[0] + (first), f64[1] + (first), f64[2] + (first), out)    \
          : call##3(noise, count, f32[0] + (first), f32[1] + (first), f32[2] + (first), out))
 
+/* Makes points of those that are nowhere, every fourth, and far ones. */
+static inline void draw_special_points(int dimensions)
+{
+    static const double nowhere[] = {NAN, INFINITY, -INFINITY};
+    static const double far[] = {0x1p24, -0x1p31, 0x1p31, -3e9, 1e30, -0.0, -1e-30};
+    for (size_t i = 0; i < POINTS; i++) {
+        const double special = i % 4 == 0 ? nowhere[i / 4 % 3] : far[i % 7];
+        f64[i % (size_t)dimensions][i] = special;
+        f32[i % (size_t)dimensions][i] = (float)special;
+    }
+}
+
 #endif

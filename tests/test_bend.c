@@ -180,11 +180,7 @@ static void check_plan(struct block *x, struct block *y, enum scarp_fractal frac
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        printf("usage: %s ISA\n", argv[0]);
-        return EXIT_FAILURE;
-    }
-    check_select_isa(argv[1]);
+    check_isa_argument(argc, argv);
     struct block *const x = block_make(), *const y = block_make();
     for (int i = 0; i < 2 * SCARP_FRACTALS; i++) {
         const enum scarp_fractal fractal = (enum scarp_fractal)(i / 2);

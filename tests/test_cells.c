@@ -307,13 +307,7 @@ static void test_periods(struct call c)
 static void test_special(struct call c)
 {
     const struct scarp_noise noise = {.seed = 3};
-    const double nowhere[] = {NAN, INFINITY, -INFINITY};
-    const double far[] = {0x1p24, -0x1p31, 0x1p31, -3e9, 1e30, -0.0, -1e-30};
-    for (size_t i = 0; i < POINTS; i++) {
-        const double special = i % 4 == 0 ? nowhere[i / 4 % 3] : far[i % 7];
-        f64[i % (size_t)c.dimensions][i] = special;
-        f32[i % (size_t)c.dimensions][i] = (float)special;
-    }
+    draw_special_points(c.dimensions);
     find_all(c, &noise, &here);
     for (size_t i = 0; i < POINTS; i++) {
         for (int m = 0; m < MEMBERS; m++) {

@@ -332,11 +332,7 @@ static void test_intervals(void)
 int main(int argc, char **argv)
 {
     argc = check_take_aim(argc, &argv);
-    if (argc != 2) {
-        printf("usage: test_chain [--must-differ] ISA\n");
-        return EXIT_FAILURE;
-    }
-    const enum scarp_isa isa = check_select_isa(argv[1]);
+    const enum scarp_isa isa = check_isa_argument(argc, argv);
     reference = outputs_make(POINTS);
     tested = outputs_make(POINTS);
     make_sources();

@@ -378,11 +378,7 @@ static void test_nan(enum chain f)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        printf("usage: test_chain_rule ISA\n");
-        return EXIT_FAILURE;
-    }
-    check_select_isa(argv[1]);
+    check_isa_argument(argc, argv);
     out = outputs_make(POINTS);
     for (int f = 0; f < CHAINS; f++) {
         make_random(1.0f);

@@ -165,11 +165,7 @@ static void test_between(void)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        printf("usage: test_chain_zero ISA\n");
-        return EXIT_FAILURE;
-    }
-    check_select_isa(argv[1]);
+    check_isa_argument(argc, argv);
     out = outputs_make(POINTS);
     test_terms(CHAIN_multiply);
     test_terms(CHAIN_mix);

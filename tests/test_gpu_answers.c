@@ -162,11 +162,7 @@ static void test_orders(void)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        printf("usage: test_gpu_answers ISA\n");
-        return EXIT_FAILURE;
-    }
-    const enum scarp_isa isa = check_select_isa(argv[1]);
+    const enum scarp_isa isa = check_isa_argument(argc, argv);
     test_answers(isa);
     test_points();
     test_orders();

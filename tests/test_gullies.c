@@ -413,11 +413,7 @@ static void test_arguments(void)
 int main(int argc, char **argv)
 {
     argc = check_take_aim(argc, &argv);
-    if (argc != 2) {
-        printf("usage: test_gullies [--must-differ] ISA\n");
-        return EXIT_FAILURE;
-    }
-    const enum scarp_isa isa = check_select_isa(argv[1]);
+    const enum scarp_isa isa = check_isa_argument(argc, argv);
     for (int n = 0; n < (int)DESCRIPTIONS && !check_enough(); n++) {
         make_points(&descriptions[n]);
         for (int kind = 0; kind < KINDS && !check_enough(); kind++) {

@@ -114,13 +114,24 @@ static void check_outputs(const struct outputs *o, unsigned mask, const struct o
     }
 }
 
+/* A call with the outputs that have arrays; these in the plane and in space, by bits */
+struct caller {
+    enum scarp_status (*find)(enum function f, const struct scarp_noise *noise, size_t count,
+                              const struct inputs *points, const struct outputs *o);
+    unsigned masks[2];
+    const char *name;
+};
+
 /* Tries all counts in all places, for one kind of call. */
-static void test_counts(enum function f, const struct scarp_noise *noise, int order)
+static void test_callers(enum function f, const struct scarp_noise *noise,
+                         const struct caller *caller)
 {
-    const unsigned flow = noise->phase != 0.0f ? OUTPUTS_PHASE : 0;
-    const unsigned mask = outputs_up_to(order, function_dimensions(f)) | flow;
-    const struct scarp_samples all = outputs_subset(&whole, mask);
-    CHECK(function_call(f, noise, POINTS, &in, &all) == SCARP_OK, "%s", function_names[f]);
+    const unsigned mask = caller->masks[function_dimensions(f) - 2];
+    struct outputs all = whole;
+    for (int m = 0; m < OUTPUTS; m++) {
+        all.array[m] = (mask >> m & 1) != 0 ? all.array[m] : NULL;
+    }
+    CHECK(caller->find(f, noise, POINTS, &in, &all) == SCARP_OK, "%s: all", caller->name);
     for (size_t c = 0; c < COUNTS; c++) {
         const size_t count = count_at(c);
         for (int p = 0; p < PLACES; p++) {
@@ -128,12 +139,19 @@ static void test_counts(enum function f, const struct scarp_noise *noise, int or
             const size_t first = count * 7 % (POINTS - LONGEST);
             const struct inputs points = place_inputs(f, place, first, count);
             const struct outputs o = place_outputs(place, mask, count);
-            const struct scarp_samples out = outputs_subset(&o, mask);
-            CHECK(function_call(f, noise, count, &points, &out) == SCARP_OK, "%s",
-                  function_names[f]);
-            check_outputs(&o, mask, &whole, first, count, place, function_names[f]);
+            CHECK(caller->find(f, noise, count, &points, &o) == SCARP_OK, "%s: %zu points",
+                  caller->name, count);
+            check_outputs(&o, mask, &whole, first, count, place, caller->name);
         }
     }
+}
+
+static enum scarp_status find_samples(enum function f, const struct scarp_noise *noise,
+                                      size_t count, const struct inputs *points,
+                                      const struct outputs *o)
+{
+    const struct scarp_samples out = outputs_subset(o, (1u << OUTPUTS) - 1);
+    return function_call(f, noise, count, points, &out);
 }
 
 /* Puts inputs and outputs into the same arrays: by turns, some outputs replace x, y and z. */
@@ -207,7 +225,12 @@ static void test_samples(void)
                                           .frequency = 0.37,
                                           .seed = (uint64_t)i};
         for (int order = 0; order <= 2; order++) {
-            test_counts(f, &noise, order);
+            const unsigned flow = noise.phase != 0.0f ? OUTPUTS_PHASE : 0;
+            const struct caller samples = {
+                find_samples,
+                {outputs_up_to(order, 2) | flow, outputs_up_to(order, 3) | flow},
+                function_names[f]};
+            test_callers(f, &noise, &samples);
         }
         if (!function_doubles(f)) {
             test_in_place(f, &noise);
@@ -249,29 +272,18 @@ static void test_normals(void)
     }
 }
 
-/* Functions of samples, whose inputs are three arrays. */
-static void test_chain(enum chain f)
+static enum chain chain; /* which find_chain calls */
+
+/* Functions of samples, whose inputs are three arrays */
+static enum scarp_status find_chain(enum function f, const struct scarp_noise *noise, size_t count,
+                                    const struct inputs *points, const struct outputs *o)
 {
-    const unsigned mask = (1u << OUTPUTS) - 1;
-    const struct scarp_samples all = outputs_subset(&whole, mask);
-    float *const x[3] = {x32[0], x32[1], x32[2]};
-    CHECK(chain_call_arrays(f, POINTS, x, &all) == SCARP_OK, "%s", chain_kinds[f].name);
-    for (size_t c = 0; c < COUNTS; c++) {
-        const size_t count = count_at(c);
-        for (int p = 0; p < PLACES; p++) {
-            const enum place place = (enum place)p;
-            const size_t first = count * 7 % (POINTS - LONGEST);
-            const struct inputs points = place_inputs(SAMPLE3, place, first, count);
-            const struct outputs o = place_outputs(place, mask, count);
-            const struct scarp_samples out = outputs_subset(&o, mask);
-            float *const placed_x[3] = {(float *)(uintptr_t)points.f[0],
-                                        (float *)(uintptr_t)points.f[1],
-                                        (float *)(uintptr_t)points.f[2]};
-            CHECK(chain_call_arrays(f, count, placed_x, &out) == SCARP_OK, "%s",
-                  chain_kinds[f].name);
-            check_outputs(&o, mask, &whole, first, count, place, chain_kinds[f].name);
-        }
-    }
+    const struct scarp_samples out = outputs_subset(o, (1u << OUTPUTS) - 1);
+    float *const x[3] = {(float *)(uintptr_t)points->f[0], (float *)(uintptr_t)points->f[1],
+                         (float *)(uintptr_t)points->f[2]};
+    (void)f;
+    (void)noise;
+    return chain_call_arrays(chain, count, x, &out);
 }
 
 /* The velocity, and as much of the Jacobian as there are outputs. */
@@ -323,32 +335,6 @@ static enum scarp_status find_gullies(enum function f, const struct scarp_noise 
     return scarp_gullies2(&gullies, count, x, y, &base, &out);
 }
 
-/* Such a call, and its outputs in the plane and in space, by bits. */
-struct caller {
-    enum scarp_status (*find)(enum function f, const struct scarp_noise *noise, size_t count,
-                              const struct inputs *points, const struct outputs *o);
-    unsigned masks[2];
-    const char *name;
-};
-
-static void test_callers(enum function f, const struct scarp_noise *noise,
-                         const struct caller *caller)
-{
-    const unsigned mask = caller->masks[function_dimensions(f) - 2];
-    CHECK(caller->find(f, noise, POINTS, &in, &whole) == SCARP_OK, "all");
-    for (size_t c = 0; c < COUNTS; c++) {
-        const size_t count = count_at(c);
-        for (int p = 0; p < PLACES; p++) {
-            const enum place place = (enum place)p;
-            const size_t first = count * 7 % (POINTS - LONGEST);
-            const struct inputs points = place_inputs(f, place, first, count);
-            const struct outputs o = place_outputs(place, mask, count);
-            CHECK(caller->find(f, noise, count, &points, &o) == SCARP_OK, "%zu points", count);
-            check_outputs(&o, mask, &whole, first, count, place, caller->name);
-        }
-    }
-}
-
 static void test_flows(enum function f, const struct scarp_noise *noise)
 {
     const struct caller flow = {find_flow, {0xf, 0x1ff}, "scarp_curl2 and its like"};
@@ -379,7 +365,9 @@ int main(int argc, char **argv)
     test_samples();
     test_normals();
     for (int f = 0; f < CHAINS; f++) {
-        test_chain((enum chain)f);
+        const struct caller samples = {find_chain, {0, (1u << OUTPUTS) - 1}, chain_kinds[f].name};
+        chain = (enum chain)f;
+        test_callers(SAMPLE3, &plain, &samples);
     }
     test_callers(SAMPLE2, &plain, &gullies);
     test_callers(SAMPLE2, &plain, &gully_values);

@@ -312,11 +312,7 @@ static void test_checks(void)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        printf("usage: test_period ISA\n");
-        return EXIT_FAILURE;
-    }
-    check_select_isa(argv[1]);
+    check_isa_argument(argc, argv);
     here = outputs_make(POINTS);
     there = outputs_make(POINTS);
     other = outputs_make(POINTS);

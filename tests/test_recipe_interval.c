@@ -202,11 +202,7 @@ static void check_once(const struct subject *subject)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        fprintf(stderr, "usage: test_recipe_interval COUNT\n");
-        return EXIT_FAILURE;
-    }
-    const int count = atoi(argv[1]);
+    const int count = (int)check_argument(argc, argv, 1, 1, "COUNT");
     for (size_t i = 0; i < sizeof subjects / sizeof subjects[0]; i++) {
         const long before = check_failures;
         for (int k = 0; k < count; k++) {

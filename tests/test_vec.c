@@ -453,11 +453,7 @@ static const struct vec_operations *operations_of(enum scarp_isa isa)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        printf("usage: test_vec ISA\n");
-        return EXIT_FAILURE;
-    }
-    ops = operations_of(check_select_isa(argv[1]));
+    ops = operations_of(check_isa_argument(argc, argv));
     lanes = ops->lanes;
     CHECK(lanes <= LANES_MAX && (ops->table == lanes || ops->table == 2 * lanes), "%d lanes, %d",
           lanes, ops->table);

@@ -468,11 +468,7 @@ static void test_in_place(void)
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        printf("usage: %s ISA\n", argv[0]);
-        return EXIT_FAILURE;
-    }
-    check_select_isa(argv[1]);
+    check_isa_argument(argc, argv);
     test_fractals();
     test_chains();
     test_periods();

@@ -38,32 +38,7 @@ uint scarp_zero()
     return scarp_plan[0].zero;
 }
 
-uint scarp_only_basis(uint basis)
-{
-#ifdef SCARP_ONLY_BASIS
-    return SCARP_ONLY_BASIS;
-#else
-    return basis;
-#endif
-}
-
-uint scarp_only_fractal(uint fractal)
-{
-#ifdef SCARP_ONLY_FRACTAL
-    return SCARP_ONLY_FRACTAL;
-#else
-    return fractal;
-#endif
-}
-
-uint scarp_only_depth(uint depth)
-{
-#ifdef SCARP_ONLY_DEPTH
-    return SCARP_ONLY_DEPTH;
-#else
-    return depth;
-#endif
-}
+@ONLY@
 
 // One rounding each.
 #ifdef SCARP_FUSE

@@ -274,8 +274,15 @@ def titled(items):
     return [Comment(title)] + items[1:]
 
 
+def only(name):
+    """What a shader takes for a number of its plan that a macro may fix"""
+    return (f"uint scarp_only_{name}(uint {name})\n{{\n#ifdef SCARP_ONLY_{name.upper()}\n"
+            f"    return SCARP_ONLY_{name.upper()};\n#else\n    return {name};\n#endif\n}}\n")
+
+
 def shader(language, parts):
     text = (SRC / f"gpu/head.{language}").read_text()
+    text = text.replace("@ONLY@\n", "\n".join(map(only, ("basis", "fractal", "depth"))))
     write = {"glsl": Glsl, "hlsl": Hlsl, "wgsl": Wgsl}[language]()
     for name, files in parts.items():
         texts = ["\n".join(write.lines(titled(items))).rstrip() + "\n" for items in files]

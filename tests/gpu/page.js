@@ -4,7 +4,7 @@
 // C library. The query says what to run: ?test=wgsl, ?test=webgl, ?test=control, or recipes by
 // ?test=recipes.wgsl and ?test=recipes.webgl. Lines of the
 // report go to /say; /end takes 0 (passed), 1 (failed) or 77 (skipped), the exit status of ctest.
-import {get} from "./get.js";
+import {get} from "./common.js";
 import {compareRecipes} from "./recipes.js";
 import {openWebgpu} from "./webgpu.js";
 import {openWebgl} from "./webgl.js";

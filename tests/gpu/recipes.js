@@ -2,13 +2,12 @@
 //
 // Runs recipes as shaders, in compute shaders of WebGPU or fragment shaders of WebGL 2, and compares
 // all outputs and the self-test with what recipe_cases.c wrote. It says how long pipelines take.
-import {get} from "./get.js";
+import {WIDTH, draw, get, link, texelsOf} from "./common.js";
 
 const MEMBERS = 10;
 const ORDERS = [0, 1, 1, 1, 2, 2, 2, 2, 2, 2];
 const ALONG_Z = [3, 6, 8, 9];
 const GROUP = 64;
-const WIDTH = 256;
 const NAMES = ["value", "gradient.x", "gradient.y", "gradient.z", "diagonal.x", "mixed.x", "mixed.y",
     "diagonal.y", "mixed.z", "diagonal.z"];
 
@@ -111,11 +110,6 @@ class Webgpu {
 
 // WebGL 2
 
-const VERTEX = `#version 300 es
-void main() { // one triangle that covers everything
-    gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
-}`;
-
 const glslMain = ({dimensions}, output) => `
 uniform highp usampler2D points;
 layout(location = 0) out uvec4 target0;
@@ -143,71 +137,21 @@ class Webgl {
             : {missing: "skipped: this browser has no WebGL 2"};
     }
 
-    link(number, fragment) {
-        const {gl} = this, program = gl.createProgram();
-        for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, fragment]]) {
-            const shader = gl.createShader(type);
-            gl.shaderSource(shader, source);
-            gl.compileShader(shader);
-            gl.attachShader(program, shader);
-            gl.deleteShader(shader);
+    // Words of so many targets.
+    draw(number, fragment, targets, height, texels) {
+        try {
+            const program = link(this.gl, fragment, "ScarpRecipePlans");
+            const {results} = draw(this.gl, program, targets, height, texels);
+            this.gl.deleteProgram(program);
+            return results;
+        } catch (error) {
+            throw new Error(`recipe ${number}: ${error.message}`);
         }
-        gl.linkProgram(program);
-        if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-            const said = gl.getAttachedShaders(program).map(shader => gl.getShaderInfoLog(shader));
-            throw new Error(`recipe ${number}: ${said.join("")} ${gl.getProgramInfoLog(program)}`);
-        }
-        gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "ScarpRecipePlans"), 0);
-        return program;
-    }
-
-    texture(height, texels) {
-        const {gl} = this, texture = gl.createTexture();
-        gl.bindTexture(gl.TEXTURE_2D, texture);
-        gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, WIDTH, height, 0, gl.RGBA_INTEGER,
-            gl.UNSIGNED_INT, texels);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-        return texture;
-    }
-
-    // Draws so many targets, and reads them.
-    draw(program, targets, height, texels) {
-        const {gl} = this, attachments = [], textures = [];
-        const framebuffer = gl.createFramebuffer();
-        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-        for (let i = 0; i < targets; i++) {
-            attachments.push(gl.COLOR_ATTACHMENT0 + i);
-            textures.push(this.texture(height, null));
-            gl.framebufferTexture2D(gl.FRAMEBUFFER, attachments[i], gl.TEXTURE_2D, textures[i], 0);
-        }
-        gl.drawBuffers(attachments);
-        gl.viewport(0, 0, WIDTH, height);
-        textures.push(this.texture(height, texels));
-        gl.useProgram(program);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-        const words = attachments.map(attachment => {
-            const read = new Uint32Array(4 * WIDTH * height);
-            gl.readBuffer(attachment);
-            gl.readPixels(0, 0, WIDTH, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, read);
-            return read;
-        });
-        const error = gl.getError();
-        if (error !== gl.NO_ERROR) {
-            throw new Error(`WebGL error 0x${error.toString(16)}`);
-        }
-        textures.forEach(texture => gl.deleteTexture(texture));
-        gl.deleteFramebuffer(framebuffer);
-        gl.deleteProgram(program);
-        return words;
     }
 
     async compute(item, source, uniforms, points, answers) {
         const {gl} = this, count = points.length / 3, head = "#version 300 es\n" + source;
-        const texels = new Uint32Array(4 * count);
-        for (let i = 0; i < points.length; i++) {
-            texels[4 * (i % count) + Math.floor(i / count)] = points[i];
-        }
+        const texels = texelsOf(points, count);
         const block = gl.createBuffer();
         gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, block);
         gl.bufferData(gl.UNIFORM_BUFFER, uniforms, gl.STATIC_DRAW);
@@ -215,8 +159,8 @@ class Webgl {
         let ms = 0;
         for (const output of item.orders.keys()) {
             const begin = performance.now();
-            const program = this.link(item.number, head + glslMain(item, output));
-            const words = this.draw(program, 3, count / WIDTH, texels);
+            const words = this.draw(item.number, head + glslMain(item, output), 3, count / WIDTH,
+                texels);
             ms += performance.now() - begin;
             for (let i = 0; i < MEMBERS * count; i++) {
                 const m = Math.floor(i / count);
@@ -224,7 +168,7 @@ class Webgl {
             }
         }
         const [tested] = item.number % 8 > 0 ? [null]
-            : this.draw(this.link(item.number, head + GLSL_ANSWER), 1, answers / WIDTH, null);
+            : this.draw(item.number, head + GLSL_ANSWER, 1, answers / WIDTH, null);
         gl.deleteBuffer(block);
         return {outputs, answers: tested?.filter((_, i) => i % 4 === 0), ms};
     }

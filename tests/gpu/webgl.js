@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs scarp.glsl in fragment shaders of WebGL 2. Results are integers, in up to three targets.
-import {get} from "./get.js";
+// Runs scarp.glsl in fragment shaders of WebGL 2.
+import {WIDTH, draw, get, link, texelsOf} from "./common.js";
 
 const PLANS = 2; // the plan is the second, so that indices are tested, too
 const PLAN_BYTES = 5376;
@@ -9,12 +9,6 @@ const OUTPUTS = 10;
 const ANSWERS = 4096;
 const ORDERS = 3; // answer i is of order i % 3
 const TARGETS = 3;
-const WIDTH = 256;
-
-const VERTEX = `#version 300 es
-void main() { // one triangle that covers everything
-    gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);
-}`;
 
 const HEAD = `#version 300 es
 #define SCARP_PLANS ${PLANS}
@@ -51,48 +45,14 @@ class Webgl {
         gl.bufferData(gl.UNIFORM_BUFFER, PLANS * PLAN_BYTES, gl.DYNAMIC_DRAW);
     }
 
-    texture(height, texels) {
-        const gl = this.gl, texture = gl.createTexture();
-        gl.bindTexture(gl.TEXTURE_2D, texture);
-        gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32UI, WIDTH, height, 0, gl.RGBA_INTEGER,
-                      gl.UNSIGNED_INT, texels);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-        return texture;
-    }
-
-    // Binds that many targets of this height.
-    bindTargets(targets, height) {
-        const gl = this.gl, attachments = [];
-        gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-        for (let target = 0; target < targets; target++) {
-            attachments.push(gl.COLOR_ATTACHMENT0 + target);
-            gl.framebufferTexture2D(gl.FRAMEBUFFER, attachments[target], gl.TEXTURE_2D,
-                                    this.texture(height, null), 0);
-        }
-        gl.drawBuffers(attachments);
-        gl.viewport(0, 0, WIDTH, height);
-        return attachments;
-    }
-
     // Adds a program; returns what the compiler says if it fails.
     link(name, fragment, targets) {
-        const gl = this.gl, program = gl.createProgram(), begin = performance.now();
-        for (const [type, source] of [[gl.VERTEX_SHADER, VERTEX], [gl.FRAGMENT_SHADER, fragment]]) {
-            const shader = gl.createShader(type);
-            gl.shaderSource(shader, source);
-            gl.compileShader(shader);
-            if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) {
-                return [`scarp.glsl, ${name}: ${gl.getShaderInfoLog(shader).trim()}`];
-            }
-            gl.attachShader(program, shader);
+        const begin = performance.now();
+        try {
+            this.programs[name] = link(this.gl, fragment, "ScarpPlans");
+        } catch (error) {
+            return [`scarp.glsl, ${name}: ${error.message.trim()}`];
         }
-        gl.linkProgram(program);
-        if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-            return [`scarp.glsl, ${name}: ${gl.getProgramInfoLog(program)}`];
-        }
-        gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "ScarpPlans"), 0);
-        this.programs[name] = program;
         this.run(name, new Uint32Array(PLAN_BYTES / 4), null, targets, 1); // compiles at last
         this.seconds += (performance.now() - begin) / 1000;
         return [];
@@ -100,32 +60,14 @@ class Webgl {
 
     // The targets of a shader with this plan, a list of words each, and how long it took.
     run(name, plan, texels, targets, height) {
-        const gl = this.gl, attachments = this.bindTargets(targets, height);
-        this.texture(height, texels);
-        gl.useProgram(this.programs[name]);
-        gl.bufferSubData(gl.UNIFORM_BUFFER, PLAN_BYTES, plan);
-        const begin = performance.now();
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-        const results = attachments.map(attachment => {
-            const words = new Uint32Array(4 * WIDTH * height);
-            gl.readBuffer(attachment);
-            gl.readPixels(0, 0, WIDTH, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
-            return words;
-        });
-        const error = gl.getError();
-        if (error !== gl.NO_ERROR) {
-            throw new Error(`WebGL error 0x${error.toString(16)}`);
-        }
-        return {results, seconds: (performance.now() - begin) / 1000};
+        this.gl.bufferSubData(this.gl.UNIFORM_BUFFER, PLAN_BYTES, plan);
+        return draw(this.gl, this.programs[name], targets, height, texels);
     }
 
     // `points`: x, then y, then z of `count` points
     async sample(plan, dimensions, points) {
-        const texels = new Uint32Array(4 * this.count);
-        for (let i = 0; i < points.length; i++) {
-            texels[4 * (i % this.count) + Math.floor(i / this.count)] = points[i];
-        }
-        const {results, seconds} = this.run(`samples${dimensions}`, plan, texels, TARGETS,
+        const {results, seconds} = this.run(`samples${dimensions}`, plan,
+                                            texelsOf(points, this.count), TARGETS,
                                             this.count / WIDTH);
         const words = new Uint32Array(OUTPUTS * this.count);
         for (let i = 0; i < words.length; i++) {

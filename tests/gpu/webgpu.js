@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs scarp.wgsl in compute shaders.
-import {get} from "./get.js";
+import {get} from "./common.js";
 
 const PLANS = 2; // the plan is the second, so that indices are tested, too
 const PLAN_BYTES = 5376;
