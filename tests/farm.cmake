@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Runs the recipes for farms of src/cli/README.md as they are there, with processes that are
-# killed: one test per file farm/test_*.py. SCARP_TEST_FARM=1 in the environment also runs
+# killed: one test per file farm/test_*.py, four of test_killed.py. SCARP_TEST_FARM=1 in the environment also runs
 # those that start daemons, and fails where a tool is missing.
 
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
@@ -9,7 +9,10 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   set_target_properties(without_locks PROPERTIES C_VISIBILITY_PRESET default)
 endif()
 foreach(name same locks mpirun parallel kubernetes levels gdal slurm)
-  file(REAL_PATH farm/test_${name}.py script)
+  set(script ${CMAKE_CURRENT_SOURCE_DIR}/farm/test_${name}.py)
+  if(NOT EXISTS ${script})
+    set(script ${CMAKE_CURRENT_SOURCE_DIR}/farm/test_killed.py ${name})
+  endif()
   scarp_add_test(farm.${name} farm IN thorough NEEDS scarp python3 linux full-speed COMMAND
                  ${Python3_EXECUTABLE} -B ${script}
                  $<TARGET_FILE:scarp-cli> ${PROJECT_SOURCE_DIR}/src/cli/README.md

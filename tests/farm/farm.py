@@ -4,7 +4,7 @@
     test_NAME.py PROGRAM DOCUMENT SCRATCH [LIBRARY]
 
 Each runs recipes of the document as they are there, in a directory of its own below SCRATCH, and
-prints what happens. Only the world is smaller than there. LIBRARY is for test_locks.py.
+prints what happens. Only the world is smaller than there. LIBRARY is for test_killed.py.
 With SCARP_TEST_FARM=1 in the environment a missing tool is a failure, and daemons may be started;
 else such a test is skipped.
 """
