@@ -16,6 +16,13 @@ foreach(isa IN LISTS isas)
                        COMMAND test_recipe_bits ${isa} {} ${CMAKE_CURRENT_LIST_DIR}/recipes.txt)
 endforeach()
 
+scarp_test_program(test_recipe_skips)
+foreach(isa IN LISTS isas)
+  scarp_add_sized_test(recipe.skips.${isa} recipe IN wasm NOT emulated:scalar sanitized:scalar,generic,sse4.1,avx2
+                       SIZES 2000 200 50 5
+                       COMMAND test_recipe_skips ${isa} {})
+endforeach()
+
 scarp_test_program(test_recipe_oracle SOURCES oracle_recipe.c oracle_recipe_text.c oracle_gullies.c ${oracle_sources})
 scarp_add_sized_test(recipe.oracle recipe IN wasm SIZES 10000 400 100 10 COMMAND test_recipe_oracle {})
 

@@ -370,4 +370,91 @@ static inline void recipe_write(struct recipe_writer *w, uint64_t number, int is
     recipe_put(w, "\n");
 }
 
+/*
+ * Random recipes in which bounds leave much out: noises have names, n0, n1, ... in front of all
+ * else, so whoever asks for them, too, has all of them computed.
+ */
+
+static inline void recipe_put_side(struct recipe_writer *w, int depth);
+
+static inline void recipe_put_sides(struct recipe_writer *w, const char *before,
+                                    const char *between, const char *behind, int depth)
+{
+    recipe_put(w, "%s", before);
+    recipe_put_side(w, depth - 1);
+    recipe_put(w, "%s", between);
+    recipe_put_side(w, depth - 1);
+    recipe_put(w, "%s", behind);
+}
+
+static inline void recipe_put_held(struct recipe_writer *w, const char *before, const char *behind,
+                                   int depth)
+{
+    recipe_put(w, "%s", before);
+    recipe_put_side(w, depth - 1);
+    recipe_put(w, "%s", behind);
+}
+
+static inline void recipe_put_ramp(struct recipe_writer *w)
+{
+    static const char *const ramps[] = {"x / 4",     "y / 8", "(x + y) / 16",
+                                        "3 - x / 2", "z / 4", "1 - z / 8"};
+    recipe_put(w, "(%s)", ramps[recipe_draw(w, w->is_space ? 6 : 4)]);
+}
+
+static inline void recipe_put_side(struct recipe_writer *w, int depth)
+{
+    if (depth <= 0) {
+        if (recipe_draw(w, 5) < 2) {
+            recipe_put_ramp(w);
+        } else {
+            const int other = (int)recipe_draw(w, 4) == 0; /* mostly each once */
+            recipe_put(w, "n%d", other ? 1 : w->fields++ % w->noises);
+        }
+        return;
+    }
+    switch (recipe_draw(w, 22)) {
+    case 0: recipe_put_sides(w, "max(", ", ", ")", depth); break;
+    case 1: recipe_put_sides(w, "min(", ", ", ")", depth); break;
+    case 2: recipe_put_sides(w, "max(", ", ", ", smooth=0.5)", depth); break;
+    case 3: recipe_put_sides(w, "min(", ", ", ", smooth=0.25)", depth); break;
+    case 4: recipe_put_held(w, "clamp(", ", -0.5, 1)", depth); break;
+    case 5: recipe_put_held(w, "smoothstep(", ", -0.5, 0.5)", depth); break;
+    case 6: recipe_put_held(w, "smoothstep(", ", 1, 0)", depth); break;
+    case 7: recipe_put_held(w, "curve(", ", -1: 0.5, 0: 0, 1: 2)", depth); break;
+    case 8: recipe_put_held(w, "max(", ", 0)", depth); break;
+    case 9: recipe_put_sides(w, "mix(", ", n0, smoothstep(", ", -1, 1))", depth); break;
+    case 10: recipe_put_sides(w, "", " * max(", ", 0)", depth); break;
+    case 11: recipe_put_sides(w, "", " * clamp(", ", 0, 1)", depth); break;
+    case 12: recipe_put_held(w, "abs(", ")", depth); break;
+    case 13: recipe_put_held(w, "sine(1e20 * (", ")^2)", depth); break;
+    case 14: recipe_put_held(w, "(slope(n0) + ", ")", depth); break;
+    default: recipe_put_sides(w, "(", " + ", ")", depth); break;
+    }
+}
+
+static inline void recipe_write_skips(struct recipe_writer *w, uint64_t number)
+{
+    memset(w, 0, sizeof *w);
+    w->state = number * UINT64_C(0xD1342543DE82EF95) + 2;
+    w->is_smooth = 1;
+    w->is_space = recipe_draw(w, 2) == 0;
+    recipe_put(w, "recipe 1\n%s", w->is_space ? "space 3\n" : "");
+    while (w->noises < 10) {
+        recipe_put(w, "n%d = ", w->noises);
+        if (w->is_space && recipe_draw(w, 3) == 0) {
+            recipe_put(w, "flat(");
+            recipe_put_noise(w, 1.0);
+            recipe_put(w, ")");
+        } else {
+            recipe_put_noise(w, 1.0);
+        }
+        recipe_put(w, "\n");
+        w->noises++;
+    }
+    recipe_put(w, "out last = ");
+    recipe_put_side(w, 2 + (int)recipe_draw(w, 3));
+    recipe_put(w, "\n");
+}
+
 #endif

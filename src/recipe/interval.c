@@ -317,7 +317,7 @@ static double larger(double a, double b)
     return fabs(a) > fabs(b) ? fabs(a) : fabs(b);
 }
 
-/* The interval of coordinate i of a place, in double, with room for float coordinates. */
+/* With room for float coordinates */
 static void coordinate(const struct reader *by, int place, int i, double *lowest, double *highest)
 {
     const struct recipe_place *const p = &by->recipe->place[place];
@@ -354,6 +354,14 @@ static void coordinate(const struct reader *by, int place, int i, double *lowest
     }
 }
 
+void scarpi_recipe_coordinate(const struct recipe *recipe, int place, int i,
+                              const struct recipe_interval *of, const struct scarp_box *box,
+                              double *lowest, double *highest)
+{
+    const struct reader by = {recipe, of, box};
+    coordinate(&by, place, i, lowest, highest);
+}
+
 struct recipe_interval scarpi_recipe_interval_of(const struct recipe *recipe,
                                                  const struct recipe_node *n,
                                                  const struct recipe_interval *of,
@@ -374,15 +382,14 @@ struct recipe_interval scarpi_recipe_interval_of(const struct recipe *recipe,
 #include "../plan/functions.def"
     case OP_CONSTANT: return (bounds){n->k[0], n->k[0]};
     case OP_COORDINATE: {
-        const struct reader by = {recipe, of, box};
         double lowest, highest;
-        coordinate(&by, n->place, n->detail, &lowest, &highest);
+        scarpi_recipe_coordinate(recipe, n->place, n->detail, of, box, &lowest, &highest);
         return (bounds){(float)lowest, (float)highest};
     }
     case OP_NOISE:
-    case OP_VECTOR: return noise(recipe, n);
-    case OP_CELL: return cell(recipe, n);
-    case OP_GULLIES: return gullies(recipe, n);
+    case OP_VECTOR: return of != NULL ? n->interval : noise(recipe, n);
+    case OP_CELL: return of != NULL ? n->interval : cell(recipe, n);
+    case OP_GULLIES: return of != NULL ? n->interval : gullies(recipe, n);
     default: return in[0]; /* a component, or what is pulled */
     }
 }

@@ -11,11 +11,17 @@
 #include "recipe.h"
 
 /* The interval of a node, of those of the nodes that it reads: in `of`, or if that is NULL, in the
-   nodes themselves. Coordinates of points are in the box, or if that is NULL, any. */
+   nodes themselves. Coordinates of points are in the box, or if that is NULL, any. With `of`, noise
+   has the interval that its node has. */
 struct recipe_interval scarpi_recipe_interval_of(const struct recipe *recipe,
                                                  const struct recipe_node *node,
                                                  const struct recipe_interval *of,
                                                  const struct scarp_box *box);
+
+/* That of coordinate i of a place, in double. */
+void scarpi_recipe_coordinate(const struct recipe *recipe, int place, int i,
+                              const struct recipe_interval *of, const struct scarp_box *box,
+                              double *lowest, double *highest);
 
 /* The interval of a node for points in a box. */
 struct recipe_interval scarpi_recipe_interval_in(const struct recipe *recipe, int node,

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "recipe.h"
+#include "skips.h"
 #include "statuses.h"
 
 /* Members of samples, from the value to dzz, in the order of struct scarp_samples */
@@ -37,9 +38,9 @@ struct recipe_machine {
     size_t room;   /* points of a register */
     size_t floats; /* of a register, for each point */
     float *registers;
-    void *position[3];              /* arrays of `room` doubles */
-    uint8_t order_of[RECIPE_NODES]; /* of the derivatives that are computed */
-    uint8_t state[RECIPE_GUARDS + 1];
+    void *position[3];                /* arrays of `room` doubles */
+    uint8_t order_of[RECIPE_NODES];   /* of the derivatives that are computed */
+    uint8_t state[RECIPE_GUARDS + 1]; /* of guards: see skips.h */
     const struct recipe_chunk *chunk;
     struct scarp_noise noise[5];     /* of the step that runs, with its warps */
     const struct scarp_samples *out; /* the caller's arrays */
@@ -47,9 +48,6 @@ struct recipe_machine {
     unsigned directs;                /* a bit for each output that is computed there, */
     size_t direct_from;              /* from this element on */
 };
-
-/* Whether what a guard has is left out for this chunk. */
-enum { GUARD_UNKNOWN, GUARD_OPEN, GUARD_LEFT_OUT };
 
 /* machine.c: where a node is, the members that are computed of it; others are NULL. */
 void scarpi_recipe_find_samples(const struct recipe_machine *m, int node, struct scarp_samples *to);

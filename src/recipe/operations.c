@@ -2,6 +2,7 @@
  *
  * Nodes that combine others: each is one call of the chain rule.
  */
+#include <float.h>
 #include <string.h>
 
 #include "combine.h"
@@ -55,42 +56,48 @@ bool scarpi_recipe_is_left_out(struct recipe_machine *m, int guard)
     }
     if (m->state[guard] == GUARD_UNKNOWN) {
         const struct recipe_guard *const g = &m->schedule->guard[guard];
-        struct scarp_samples mask = {0};
-        bool is_left_out = scarpi_recipe_is_left_out(m, g->parent);
-        if (!is_left_out) {
-            mask = scarpi_recipe_samples(m, g->mask);
-            is_left_out = is_level(m->chunk->count, &mask, g->one ? 1.0f : 0.0f);
+        int state = scarpi_recipe_is_left_out(m, g->parent) ? GUARD_LEFT_OUT : GUARD_OPEN;
+        if (state == GUARD_OPEN && g->kind == GUARD_BY_BOUNDS) {
+            state = scarpi_recipe_decide(m, guard);
+        } else if (state == GUARD_OPEN) {
+            const struct scarp_samples mask = scarpi_recipe_samples(m, g->mask);
+            const float value = g->kind == GUARD_BY_1 ? 1.0f : 0.0f;
+            state = is_level(m->chunk->count, &mask, value) ? GUARD_LEFT_OUT : GUARD_OPEN;
         }
-        m->state[guard] = is_left_out ? GUARD_LEFT_OUT : GUARD_OPEN;
+        m->state[guard] = (uint8_t)state;
     }
-    return m->state[guard] == GUARD_LEFT_OUT;
+    return m->state[guard] != GUARD_OPEN;
 }
 
-/* The operand of a gate that is left out, or -1. */
+/* The guard that leaves an operand of a gate out, or 0. */
 static int left_out(struct recipe_machine *m, int gate)
 {
     for (int i = 1; i <= m->schedule->guards; i++) {
         if (m->schedule->guard[i].gate == gate && scarpi_recipe_is_left_out(m, i)) {
-            return m->schedule->guard[i].operand;
+            return i;
         }
     }
-    return -1;
+    return 0;
 }
 
 static enum scarp_status run_gate(struct recipe_machine *m, int node,
                                   const struct scarp_samples in[3], const struct scarp_samples *out)
 {
     const size_t count = m->chunk->count;
-    const int operand = left_out(m, node);
-    if (operand < 0) {
-        return scarpi_recipe_combine(m->recipe, &m->recipe->node[node], count, in, out);
-    }
-    if (m->recipe->node[node].operation == OP_MULTIPLY) {
+    const int guard = left_out(m, node), operand = m->schedule->guard[guard].operand;
+    const int operation = m->recipe->node[node].operation;
+    if (guard != 0 && operation == OP_MULTIPLY) {
         fill(count, 0.0f, out);
-    } else {
-        copy(count, &in[!operand], out);
+        return SCARP_OK;
     }
-    return SCARP_OK;
+    if (guard != 0 && (operation == OP_MIX || operation == OP_MIN || operation == OP_MAX)) {
+        copy(count, &in[!operand], out);
+        return SCARP_OK;
+    }
+    if (guard != 0) { /* the value is the same for any number that is as low, or as high */
+        fill(count, m->state[guard] == GUARD_BELOW ? -FLT_MAX : FLT_MAX, &in[operand]);
+    }
+    return scarpi_recipe_combine(m->recipe, &m->recipe->node[node], count, in, out);
 }
 
 enum scarp_status scarpi_recipe_run_operation(struct recipe_machine *m, int node)
@@ -104,10 +111,9 @@ enum scarp_status scarpi_recipe_run_operation(struct recipe_machine *m, int node
             scarpi_recipe_find_samples(m, n->in[i], &in[i]);
         }
     }
-    switch (n->operation) {
-    case OP_CONSTANT: fill(count, n->k[0], &out); return SCARP_OK;
-    case OP_MULTIPLY:
-    case OP_MIX: return run_gate(m, node, in, &out);
-    default: return scarpi_recipe_combine(m->recipe, n, count, in, &out);
+    if (n->operation == OP_CONSTANT) {
+        fill(count, n->k[0], &out);
+        return SCARP_OK;
     }
+    return run_gate(m, node, in, &out);
 }

@@ -14,6 +14,7 @@
  *                      queries.c: what they read
  *     schedule.c       nodes -> steps and registers
  *     combine.c        the calls of functions that combine fields
+ *     skips.c          what need not be computed, since bounds say so
  *     evaluate.c       steps over chunks of points; operations.c and positions.c: one step, whose
  *                      samples machine.c finds
  *     plan.c           constants of noises that callers keep
@@ -38,7 +39,7 @@ enum {
     RECIPE_GULLIES = 8,
     RECIPE_PLACES = 32,
     RECIPE_KNOTS = 128,
-    RECIPE_GUARDS = 32,
+    RECIPE_GUARDS = 48,
     RECIPE_NESTING = 24, /* of parentheses and signs in the text */
     RECIPE_DEPTH = 40,   /* of expressions, through names */
     RECIPE_FRAMES = 3    /* of frames in each other */
@@ -141,13 +142,20 @@ struct recipe_node {
     struct recipe_interval interval;
 };
 
-/* What may be left out: nodes that are needed for one operand of a gate alone, if the mask is 0 or
-   1 at all points of a chunk, without slopes. */
+/* What leaves the operand of a gate out */
+enum recipe_guard_kind {
+    GUARD_BY_0,     /* the mask, where it is 0 at all points of a chunk, without slopes */
+    GUARD_BY_1,     /* likewise where it is 1 */
+    GUARD_BY_BOUNDS /* of the operands in the chunk: skips.h */
+};
+
+/* What may be left out: nodes that are needed for one operand of a gate alone. */
 struct recipe_guard {
-    int16_t gate, mask;
-    uint8_t operand; /* of the gate */
-    uint8_t parent;  /* the guard of the gate; 0: none */
-    uint8_t one;     /* the mask that leaves the operand out is 1, not 0 */
+    int16_t gate, mask; /* mask: -1 if there is none */
+    uint8_t operand;    /* of the gate */
+    uint8_t parent;     /* the guard of the gate; 0: none */
+    uint8_t kind;
+    uint8_t first; /* step */
 };
 
 /* How some nodes are computed. */

@@ -9,34 +9,25 @@
  * other one alone may be left out for a chunk of points, and nobody sees it. Such nodes form a
  * guard. Guards are nested or apart, since a guard has all that is reached through one operand
  * only.
+ *
+ * Functions of skips.h are gates, too: there bounds of the operands leave one out. Such a guard has
+ * no nodes that cost nothing, as coordinates: these come first, and say what the bounds are.
  */
 #include "schedule.h"
 
 #include <string.h>
 
 #include "graph.h"
-
-/* Sets of nodes */
-struct set {
-    uint64_t word[RECIPE_NODES / 64];
-};
-
-static int has(const struct set *set, int n)
-{
-    return (int)(set->word[n / 64] >> n % 64 & 1);
-}
-
-static void put(struct set *set, int n)
-{
-    set->word[n / 64] |= UINT64_C(1) << n % 64;
-}
+#include "skips.h"
 
 struct scheduler {
     const struct recipe *recipe;
     struct recipe_schedule *to;
-    struct set live, done, columns; /* columns: needed once per column */
+    struct set live, done;
+    struct set safe;                /* see skips.h */
     uint8_t need[RECIPE_NODES];     /* registers */
     uint8_t position[RECIPE_NODES]; /* of the step */
+    uint8_t cost[RECIPE_NODES];     /* octaves, of all that is needed */
 };
 
 static void find_live(struct scheduler *s, const int16_t *roots, int count)
@@ -80,6 +71,85 @@ static void find_needs(struct scheduler *s)
     }
 }
 
+static int is_worth_it(const struct recipe_node *node)
+{
+    return node->operation == OP_NOISE || node->operation == OP_VECTOR ||
+           node->operation == OP_CELL || node->operation == OP_GULLIES;
+}
+
+static int octaves_of(const struct recipe *recipe, const struct recipe_node *node)
+{
+    struct scarp_noise levels[5];
+    int octaves = 0;
+    if (node->operation == OP_GULLIES) {
+        return 8; /* or so */
+    }
+    scarpi_recipe_spell_noise(recipe, node->index, levels);
+    for (const struct scarp_noise *level = levels; level != NULL; level = level->warp) {
+        octaves += level->octaves > 1.0f ? (int)level->octaves : 1;
+    }
+    return octaves;
+}
+
+static void find_costs(struct scheduler *s)
+{
+    for (int n = 0; n < s->recipe->nodes; n++) {
+        const struct recipe_node *const node = &s->recipe->node[n];
+        int16_t reads[RECIPE_READS];
+        int slopes, cost = is_worth_it(node) ? octaves_of(s->recipe, node) : 0;
+        const int count = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
+        for (int i = 0; i < count; i++) {
+            cost += s->cost[reads[i]];
+        }
+        s->cost[n] = (uint8_t)(cost < 255 ? cost : 255);
+    }
+}
+
+static int is_column(const struct scheduler *s, int n)
+{
+    return s->recipe->dimensions == 3 && (s->recipe->node[n].axes & 4) == 0;
+}
+
+/* Whether a node costs next to nothing where a gate is computed. */
+static int is_free(const struct scheduler *s, int gate, int n)
+{
+    return s->cost[n] == 0 || (is_column(s, n) && !is_column(s, gate));
+}
+
+static void put_bounding(const struct scheduler *s, struct set *set, int n)
+{
+    int16_t by[2];
+    const int count = scarpi_recipe_bounded_by(s->recipe, n, by);
+    for (int i = 0; i < count; i++) {
+        put(set, by[i]);
+    }
+}
+
+/* The free nodes from which the bounds of nodes in a set follow, as a gate sees them; numbers are
+   none of them. */
+enum { FREE_NODES = 8 };
+static int find_free(const struct scheduler *s, int gate, struct set *below,
+                     int16_t free[FREE_NODES])
+{
+    int count = 0;
+    for (int n = gate - 1; n >= 0 && count < FREE_NODES; n--) {
+        if (!has(below, n)) {
+            continue;
+        }
+        if (!is_free(s, gate, n)) {
+            put_bounding(s, below, n);
+        } else if (s->recipe->node[n].operation != OP_CONSTANT) {
+            free[count++] = (int16_t)n;
+        }
+    }
+    return count;
+}
+
+static int is_bounded_gate(const struct scheduler *s, int n)
+{
+    return s->cost[n] > 0 && scarpi_recipe_skips(s->recipe->node[n].operation) > 0;
+}
+
 /* A mask can be 0, or 1, with all derivatives, at all points of a chunk. */
 static int can_be_level(const struct recipe *recipe, int n)
 {
@@ -92,6 +162,17 @@ static int can_be_level(const struct recipe *recipe, int n)
     }
 }
 
+/* Likewise where it is one of several, one of which can be level. */
+static int can_take_level(const struct recipe *recipe, int n)
+{
+    const struct recipe_node *node = &recipe->node[n];
+    while (node->operation == OP_AFFINE) {
+        node = &recipe->node[node->in[0]];
+    }
+    return scarpi_recipe_skips(node->operation) == 2 &&
+           (can_be_level(recipe, node->in[0]) || can_be_level(recipe, node->in[1]));
+}
+
 /* The operand that is a mask, or -1. */
 static int mask_of(const struct recipe *recipe, int n)
 {
@@ -102,30 +183,44 @@ static int mask_of(const struct recipe *recipe, int n)
     if (node->operation != OP_MULTIPLY || node->in[0] == node->in[1]) {
         return -1;
     }
-    return can_be_level(recipe, node->in[0]) ? 0 : can_be_level(recipe, node->in[1]) ? 1 : -1;
+    return can_be_level(recipe, node->in[0])     ? 0
+           : can_be_level(recipe, node->in[1])   ? 1
+           : can_take_level(recipe, node->in[0]) ? 0
+           : can_take_level(recipe, node->in[1]) ? 1
+                                                 : -1;
 }
 
-/* What a node reads: masks first, then what needs most registers. */
-static int in_order(const struct scheduler *s, int n, int16_t reads[RECIPE_READS])
+/* What comes first among the reads of a node: masks, what may leave another operand out, then what
+   needs most registers. */
+static int weight_of(const struct scheduler *s, int n, int read)
 {
-    int slopes;
-    const int count = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
     const int mask = mask_of(s->recipe, n);
+    const int is_mask = mask >= 0 && read == s->recipe->node[n].in[mask];
+    const int ease = is_mask ? 256 : is_bounded_gate(s, n) ? 255 - s->cost[read] : 0;
+    return ease * 256 + s->need[read];
+}
+
+/* What is computed in front of a node, in this order. */
+enum { BEFORE = FREE_NODES + RECIPE_READS };
+static int in_order(const struct scheduler *s, int n, int16_t before[BEFORE])
+{
+    int slopes, first = 0;
+    if (is_bounded_gate(s, n)) {
+        struct set below = {{0}};
+        put_bounding(s, &below, n);
+        first = find_free(s, n, &below, before);
+    }
+    int16_t *const reads = before + first;
+    const int count = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
     for (int i = 1; i < count; i++) {
         const int16_t moved = reads[i];
-        const int weight = mask >= 0 && moved == s->recipe->node[n].in[mask] ? 256 : s->need[moved];
         int to = i;
-        for (; to > 0; to--) {
-            const int16_t other = reads[to - 1];
-            const int is_mask = mask >= 0 && other == s->recipe->node[n].in[mask];
-            if (is_mask || s->need[other] >= weight) {
-                break;
-            }
-            reads[to] = other;
+        for (; to > 0 && weight_of(s, n, reads[to - 1]) < weight_of(s, n, moved); to--) {
+            reads[to] = reads[to - 1];
         }
         reads[to] = moved;
     }
-    return count;
+    return first + count;
 }
 
 /* Adds what is needed for a node, and itself, as steps. It goes down without recursion: recipes are
@@ -140,13 +235,13 @@ static void add_steps(struct scheduler *s, int root)
     stack[0] = (uint8_t)root;
     next[0] = 0;
     while (depth >= 0) {
-        int16_t reads[RECIPE_READS];
-        const int n = stack[depth], count = in_order(s, n, reads);
-        while (next[depth] < count && has(&s->done, reads[next[depth]])) {
+        int16_t before[BEFORE];
+        const int n = stack[depth], count = in_order(s, n, before);
+        while (next[depth] < count && has(&s->done, before[next[depth]])) {
             next[depth]++;
         }
         if (next[depth] < count) {
-            stack[depth + 1] = (uint8_t)reads[next[depth]++];
+            stack[depth + 1] = (uint8_t)before[next[depth]++];
             next[++depth] = 0;
             continue;
         }
@@ -160,7 +255,7 @@ static void add_steps(struct scheduler *s, int root)
 static void add_all(struct scheduler *s, const int16_t *roots, int count)
 {
     const struct recipe *const r = s->recipe;
-    for (int n = 0; r->dimensions == 3 && n < r->nodes; n++) {
+    for (int n = r->nodes - 1; r->dimensions == 3 && n >= 0; n--) {
         if (has(&s->live, n) && (r->node[n].axes & 4) == 0) {
             add_steps(s, n);
         }
@@ -169,12 +264,6 @@ static void add_all(struct scheduler *s, const int16_t *roots, int count)
     for (int i = 0; i < count; i++) {
         add_steps(s, roots[i]);
     }
-}
-
-static int is_worth_it(const struct recipe_node *node)
-{
-    return node->operation == OP_NOISE || node->operation == OP_VECTOR ||
-           node->operation == OP_CELL || node->operation == OP_GULLIES;
 }
 
 /* Adds what a node reads to a set, but for one operand. */
@@ -190,34 +279,82 @@ static void put_reads(const struct scheduler *s, struct set *set, int n, int but
     }
 }
 
-/* Guards what is needed for one operand of a gate alone, if noise is among it. */
-static void add_guard(struct scheduler *s, const struct set *roots, struct recipe_guard guard)
+/* Whether a node that is needed for the operand of a guard alone is in it. Steps in front of the
+   mask, or of the mask of a guard around this one, cannot be left out: what is computed once per
+   column may be. */
+static int may_be_left_out(const struct scheduler *s, const struct recipe_guard *guard, int n)
 {
-    const int operand = s->recipe->node[guard.gate].in[guard.operand];
+    return s->to->guard_of[n] == guard->parent &&
+           (guard->kind == GUARD_BY_BOUNDS ? !is_free(s, guard->gate, n)
+                                           : s->position[n] > s->position[guard->mask]);
+}
+
+/* The nodes that may be left out, if noise is among them. Returns the first step; -1: none. */
+static int find_inside(const struct scheduler *s, const struct set *roots,
+                       const struct recipe_guard *guard, struct set *inside)
+{
     struct set below = {{0}}, outside = *roots; /* outside: read by others, too */
-    struct set inside = {{0}};
-    int has_noise = 0;
-    put(&below, operand);
+    int has_noise = 0, first = s->to->steps;
+    put(&below, s->recipe->node[guard->gate].in[guard->operand]);
     for (int n = s->recipe->nodes - 1; n >= 0; n--) {
-        /* Steps in front of the mask, or of the mask of a guard around this one, cannot be left
-           out: what is computed once per column may be. */
         if (!has(&s->live, n)) {
             continue;
         }
-        if (has(&below, n) && !has(&outside, n) && s->position[n] > s->position[guard.mask] &&
-            s->to->guard_of[n] == guard.parent) {
-            put(&inside, n);
+        if (has(&below, n) && !has(&outside, n) && may_be_left_out(s, guard, n)) {
+            put(inside, n);
             put_reads(s, &below, n, -1);
             has_noise = has_noise || is_worth_it(&s->recipe->node[n]);
+            first = s->position[n] < first ? s->position[n] : first;
         } else {
-            put_reads(s, &outside, n, n == guard.gate ? guard.operand : -1);
+            put_reads(s, &outside, n, n == guard->gate ? guard->operand : -1);
         }
     }
-    if (!has_noise || s->to->guards == RECIPE_GUARDS) {
+    return has_noise ? first : -1;
+}
+
+/* The best bounds that a node may have in a chunk: one of its ends, if it is computed, or made of
+   what is, in front of a step. */
+static struct recipe_interval best_bounds(const struct scheduler *s, int gate, int n, int step,
+                                          int high)
+{
+    struct set below = {{0}};
+    int16_t free[FREE_NODES];
+    struct recipe_interval in = s->recipe->node[n].interval;
+    put(&below, n);
+    if (s->position[n] < step || find_free(s, gate, &below, free) > 0) {
+        in.lowest = in.highest = high ? in.highest : in.lowest;
+    }
+    return in;
+}
+
+/* Whether bounds may leave the operand of a guard out. */
+static int can_skip(const struct scheduler *s, const struct recipe_guard *guard)
+{
+    const struct recipe_node *const gate = &s->recipe->node[guard->gate];
+    const int operand = gate->in[guard->operand], kept = gate->in[!guard->operand];
+    int skips = 0;
+    for (int ends = 0; ends < 4 && has(&s->safe, operand); ends++) {
+        const struct recipe_interval a =
+            best_bounds(s, guard->gate, operand, guard->first, ends & 1);
+        const struct recipe_interval b =
+            kept < 0 ? a : best_bounds(s, guard->gate, kept, guard->first, ends >> 1);
+        skips |= scarpi_recipe_side_of(s->recipe, guard->gate, a, b) != GUARD_OPEN;
+    }
+    return skips;
+}
+
+/* Guards what is needed for one operand of a gate alone. */
+static void add_guard(struct scheduler *s, const struct set *roots, struct recipe_guard guard)
+{
+    struct set inside = {{0}};
+    const int first = find_inside(s, roots, &guard, &inside);
+    guard.first = (uint8_t)first;
+    if (first < 0 || s->to->guards == RECIPE_GUARDS ||
+        (guard.kind == GUARD_BY_BOUNDS && !can_skip(s, &guard))) {
         return;
     }
     s->to->guard[++s->to->guards] = guard;
-    for (int n = operand; n >= 0; n--) {
+    for (int n = 0; n < s->recipe->nodes; n++) {
         if (has(&inside, n)) {
             s->to->guard_of[n] = s->to->guards;
         }
@@ -233,17 +370,20 @@ static void add_guards(struct scheduler *s, const int16_t *roots, int count)
     }
     for (int k = s->to->steps - 1; k >= 0; k--) {
         const int gate = s->to->step[k], mask = mask_of(s->recipe, gate);
-        if (mask < 0) {
-            continue;
-        }
-        for (int operand = 0; operand < 2; operand++) {
+        const struct recipe_node *const node = &s->recipe->node[gate];
+        const int operands = mask >= 0                  ? 2
+                             : is_bounded_gate(s, gate) ? scarpi_recipe_skips(node->operation)
+                                                        : 0;
+        for (int operand = 0; operand < operands; operand++) {
+            const int has_one = node->operation == OP_MIX && operand == 0;
             const struct recipe_guard guard = {.gate = (int16_t)gate,
-                                               .mask = s->recipe->node[gate].in[mask],
+                                               .mask = (int16_t)(mask >= 0 ? node->in[mask] : -1),
                                                .operand = (uint8_t)operand,
                                                .parent = s->to->guard_of[gate],
-                                               .one = s->recipe->node[gate].operation == OP_MIX &&
-                                                      operand == 0};
-            if (operand != mask && guard.mask != s->recipe->node[gate].in[operand]) {
+                                               .kind = mask < 0  ? GUARD_BY_BOUNDS
+                                                       : has_one ? GUARD_BY_1
+                                                                 : GUARD_BY_0};
+            if (operand != mask && guard.mask != node->in[operand]) {
                 add_guard(s, &is_root, guard);
             }
         }
@@ -343,6 +483,14 @@ static void find_alone(struct scheduler *s, const int16_t *roots, int count)
     }
 }
 
+int scarpi_recipe_mask_guard(const struct recipe_schedule *schedule, int guard)
+{
+    while (guard != 0 && schedule->guard[guard].kind == GUARD_BY_BOUNDS) {
+        guard = schedule->guard[guard].parent;
+    }
+    return guard;
+}
+
 void scarpi_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
                             struct recipe_schedule *schedule)
 {
@@ -350,6 +498,13 @@ void scarpi_recipe_schedule(const struct recipe *recipe, const int16_t *roots, i
     memset(schedule, 0, sizeof *schedule);
     find_live(&s, roots, count);
     find_needs(&s);
+    find_costs(&s);
+    for (int n = 0, found = 0; n < recipe->nodes && !found; n++) {
+        found = has(&s.live, n) && is_bounded_gate(&s, n);
+        if (found) {
+            scarpi_recipe_find_safe(recipe, &s.safe);
+        }
+    }
     add_all(&s, roots, count);
     add_guards(&s, roots, count);
     set_registers(&s, roots, count);

@@ -11,4 +11,7 @@
 void scarpi_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
                             struct recipe_schedule *schedule);
 
+/* The next guard around a guard, or itself, that a mask decides: points have no bounds; 0: none. */
+int scarpi_recipe_mask_guard(const struct recipe_schedule *schedule, int guard);
+
 #endif

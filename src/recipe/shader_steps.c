@@ -8,6 +8,7 @@
 
 #include "evaluate.h"
 #include "graph.h"
+#include "schedule.h"
 #include "shader.h"
 
 /* The dimensions that derivatives of a place are by. */
@@ -97,11 +98,18 @@ static void put_pulled(const struct shader_writer *w, int place)
     scarpi_shader_put(w->to, ", %d)", w->recipe->place[place].dimensions);
 }
 
+/* The guard of a node that an `if` is for; 0: none. */
+static int guard_of(const struct shader_writer *w, int node)
+{
+    const struct recipe_schedule *const s = &w->recipe->schedule;
+    return scarpi_recipe_mask_guard(s, s->guard_of[node]);
+}
+
 /* Begins the line that gives a node its value, a sample r, or all components of vector noise, v.
    Nodes within an `if` have a variable. */
 static void put_variable(const struct shader_writer *w, int node, char letter)
 {
-    const int is_guarded = w->recipe->schedule.guard_of[node] != 0, is_sample = letter == 'r';
+    const int is_guarded = guard_of(w, node) != 0, is_sample = letter == 'r';
     scarpi_shader_put(w->to,
                       is_guarded  ? (is_sample ? "        r%d = " : "        v%d = ")
                       : is_sample ? "    %LScarpSample r%d = "
@@ -111,7 +119,7 @@ static void put_variable(const struct shader_writer *w, int node, char letter)
 
 static const char *indent_of(const struct shader_writer *w, int node)
 {
-    return w->recipe->schedule.guard_of[node] != 0 ? "        " : "    ";
+    return guard_of(w, node) != 0 ? "        " : "    ";
 }
 
 /* Whether two nodes look at the same place through the same warp. */
@@ -366,7 +374,7 @@ static void put_variables(const struct shader_writer *w)
     const struct recipe_schedule *const s = &w->recipe->schedule;
     for (int k = 0; k < s->steps; k++) {
         const int node = s->step[k];
-        if (s->guard_of[node] == 0) {
+        if (guard_of(w, node) == 0) {
             continue;
         }
         scarpi_shader_put(w->to, "    %XScarpSample r%d = scarp_constant(0.0);\n", node);
@@ -385,14 +393,16 @@ static void put_guard(const struct shader_writer *w, int guard, bool is_put[RECI
     if (guard == 0 || is_put[guard]) {
         return;
     }
-    put_guard(w, g->parent, is_put);
+    const int parent = scarpi_recipe_mask_guard(&w->recipe->schedule, g->parent);
+    put_guard(w, parent, is_put);
     is_put[guard] = true;
     scarpi_shader_put(w->to, "    open%d = ", guard);
-    if (g->parent != 0) {
-        scarpi_shader_put(w->to, "open%d && ", g->parent);
+    if (parent != 0) {
+        scarpi_shader_put(w->to, "open%d && ", parent);
     }
-    scarpi_shader_put(w->to, "!scarp_is_level(r%d, %s, %d, %d);\n", g->mask, g->one ? "1.0" : "0.0",
-                      w->order_of[g->gate], w->recipe->node[g->mask].dimensions);
+    scarpi_shader_put(w->to, "!scarp_is_level(r%d, %s, %d, %d);\n", g->mask,
+                      g->kind == GUARD_BY_1 ? "1.0" : "0.0", w->order_of[g->gate],
+                      w->recipe->node[g->mask].dimensions);
 }
 
 void scarpi_shader_put_steps(struct shader_writer *w)
@@ -407,14 +417,16 @@ void scarpi_shader_put_steps(struct shader_writer *w)
                       w->to->language == SCARP_WGSL ? "vec3f" : "scarp_vec3_of",
                       is_space ? "z" : "0.0");
     for (int i = 1; i <= s->guards; i++) {
-        scarpi_shader_put(w->to, "    %Xbool open%d = false;\n", i);
+        if (s->guard[i].kind != GUARD_BY_BOUNDS) {
+            scarpi_shader_put(w->to, "    %Xbool open%d = false;\n", i);
+        }
     }
     put_variables(w);
     for (int k = 0; k < s->steps; k++) {
         const int node = s->step[k];
-        if (s->guard_of[node] != open) {
+        if (guard_of(w, node) != open) {
             scarpi_shader_put(w->to, open != 0 ? "    }\n" : "");
-            open = s->guard_of[node];
+            open = guard_of(w, node);
             w->warped = -1; /* its variables end with their block */
             if (open != 0) {
                 put_guard(w, open, is_put);

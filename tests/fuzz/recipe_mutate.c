@@ -47,6 +47,9 @@ int main(int argc, char **argv)
         if (i % 3 == 0) {
             recipe_write(&w, (uint64_t)i, 0);
             text = w.text;
+        } else if (i % 3 == 1) {
+            recipe_write_skips(&w, (uint64_t)i);
+            text = w.text;
         }
         struct recipe_writer draw = {.state = (uint64_t)i};
         for (int k = 0; k < HEADER_SIZE; k++) {

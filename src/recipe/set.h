@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Sets of nodes.
+ */
+#ifndef SCARP_RECIPE_SET_H
+#define SCARP_RECIPE_SET_H
+
+#include "recipe.h"
+
+struct set {
+    uint64_t word[RECIPE_NODES / 64];
+};
+
+static inline int has(const struct set *set, int n)
+{
+    return (int)(set->word[n / 64] >> n % 64 & 1);
+}
+
+static inline void put(struct set *set, int n)
+{
+    set->word[n / 64] |= UINT64_C(1) << n % 64;
+}
+
+#endif
