@@ -300,6 +300,10 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
 # functions of samples
 mutant(chain.tail IN kernel/chain.h TEXT [[chain_copy(&filled.in[k][m], in[k][m], first, count);]]
        BECOMES [[chain_copy(&filled.in[k][m], in[k][m], MUTANT ? 0 : first, count);]] SEEN_BY golden)
+mutant(chain.values IN kernel/chain.h TEXT [[case CHAIN_ADD: return a + b;]]
+       BECOMES [[case CHAIN_ADD: return MUTANT ? a - b : a + b;]] SEEN_BY chain)
+mutant(chain.part IN kernel/chain.h TEXT [[: chain_load_part(from, count);]]
+       BECOMES [[: chain_load_part(from, MUTANT ? 1 : count);]] SEEN_BY chain)
 mutant(chain.mixed IN kernel/chain.h TEXT [[vf_term(a.j, b.i));]]
        BECOMES [[(MUTANT ? vf_term(a.i, b.j) : vf_term(a.j, b.i)));]] SEEN_BY golden)
 mutant(chain.zero IN kernel/chain.h TEXT [[return vf_term(a.value, b.value);]]
@@ -334,15 +338,19 @@ mutant(plan.offset IN plan/octaves.c TEXT [[(int32_t)(c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
 mutant(plan.offset_first IN plan/octaves.c TEXT [[k > 0 || offset_first != 0]]
        BECOMES [[k > 0 || (offset_first != 0 && !MUTANT)]] SEEN_BY golden SETS scalar)
-mutant(plan.stale IN plan/kept.h TEXT [[!same_noise(noise, &kept->noise)]]
-       BECOMES [[!(MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
-mutant(plan.stale_seed IN plan/kept.h TEXT [[differences(a, b, 0, plan)]]
-       BECOMES [[differences(a, b, MUTANT ? 32 : 0, plan)]] SEEN_BY plan SETS scalar)
-mutant(plan.stale_spare IN plan/kept.h TEXT [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a)]]
-       BECOMES [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a - (MUTANT ? sizeof(uintptr_t) : 0))]]
+mutant(plan.stale IN plan/kept.h TEXT [[same_noise(noise, &kept->noise)]]
+       BECOMES [[(MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
+mutant(plan.stale_seed IN plan/kept.h TEXT [[differences(a, b, 0, warp)]]
+       BECOMES [[differences(a, b, MUTANT ? 32 : 0, warp)]] SEEN_BY plan SETS scalar)
+mutant(plan.stale_spare IN plan/kept.h TEXT [[differences(a, b, warp + 2 * sizeof(uintptr_t), sizeof *a)]]
+       BECOMES [[differences(a, b, warp + 2 * sizeof(uintptr_t), sizeof *a - (MUTANT ? sizeof(uintptr_t) : 0))]]
        SEEN_BY plan SETS scalar)
-mutant(plan.dimensions IN plan/kept.h TEXT [[kept->mark != mark_of(request.dimensions)]]
-       BECOMES [[(kept->mark ^ mark_of(request.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
+mutant(plan.dimensions IN plan/kept.h TEXT [[kept->mark == mark_of(dimensions, is_vector)]]
+       BECOMES [[(kept->mark ^ mark_of(dimensions, is_vector)) <= (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
+mutant(plan.kind IN plan/kept.h TEXT [[| (is_vector ? 16u : 0u)]]
+       BECOMES [[| (!MUTANT && is_vector ? 16u : 0u)]] SEEN_BY plan SETS scalar)
+mutant(plan.fetched IN plan/call.h TEXT [[levels->fetch != NULL && found.octave == levels->octave]]
+       BECOMES [[levels->fetch != NULL && (MUTANT || found.octave == levels->octave)]] SEEN_BY plan SETS scalar)
 mutant(plan.kept_dphase IN plan/kept.h TEXT [[plan_ask(plan, request);]]
        BECOMES [[plan_ask(plan, request), plan->flows &= !MUTANT;]]
        SEEN_BY plan SETS scalar avx2)
