@@ -54,6 +54,7 @@ struct job {
     enum {
         PARSE,
         SET,
+        PLAN,
         SAMPLE,
         SAMPLE_PART,
         GRID_OF_RECIPE,
@@ -108,6 +109,7 @@ static enum scarp_status gully_call(const struct job *job)
 }
 
 static struct scarp_recipe recipe;
+static uint64_t plan[1 << 17]; /* of the recipe */
 
 /* As a shader, of what passes for a file: what is cut takes the same stack, however long it is. */
 static enum scarp_status shader_call(const struct job *job)
@@ -141,6 +143,7 @@ static enum scarp_status recipe_call(const struct job *job, const struct scarp_s
     case ANSWERS: return shader_call(job);
     case PARSE: return scarp_recipe_parse(job->text, strlen(job->text), &recipe, &error, 1, NULL);
     case SET: return scarp_recipe_set(&recipe, "finest", 0.01, &error);
+    case PLAN: return scarp_recipe_plan_make(&recipe, plan, sizeof plan);
     case RANGE: {
         static const struct scarp_box box = {.highest = {1.0, 1.0, 1.0}};
         return scarp_recipe_range(&recipe, SCARP_RECIPE_OUTPUT, &box, &lowest, &highest);
@@ -238,9 +241,8 @@ static void measure(const struct guarded *stack, struct job *job, struct worst *
         return;
     }
     const size_t bytes = touched(stack, job) - worst->nothing;
-    const size_t more = job->kind != RECIPE    ? 0
-                        : job->scratch == NULL ? RECIPES + SCRATCH
-                                               : RECIPES;
+    const int has_memory = job->scratch != NULL && job->scratch->memory != NULL;
+    const size_t more = job->kind != RECIPE ? 0 : has_memory ? RECIPES : RECIPES + SCRATCH;
     CHECK(bytes < PERMITTED + more, "%s, %s %s, order %d, octaves %g, turned %d: %zu bytes", what,
           scarp_basis_name(job->noise.basis), scarp_fractal_name(job->noise.fractal), job->order,
           (double)job->noise.octaves, job->noise.rotate, bytes);
@@ -288,10 +290,10 @@ static void measure_grids(const struct guarded *stack, struct job *job, struct w
 /* The answers for shaders, which take room for points besides that of their samples. */
 static void measure_shaders(const struct guarded *stack, struct job *job, struct worst *worst)
 {
-    static struct scarp_gpu_plan plan;
+    static struct scarp_gpu_plan of_shader;
     job->kind = SHADER;
     for (job->dimensions = 2; job->dimensions <= 3; job->dimensions++) {
-        if (scarp_gpu_plan_make(&job->noise, job->dimensions, &plan, NULL) == SCARP_OK) {
+        if (scarp_gpu_plan_make(&job->noise, job->dimensions, &of_shader, NULL) == SCARP_OK) {
             measure(stack, job, worst, "scarp_gpu_answers");
         }
     }
@@ -377,7 +379,8 @@ static void measure_recipes(const struct guarded *stack, struct job *job, struct
                             struct worst *alone)
 {
     static uint64_t memory[1 << 16];
-    static const struct scarp_scratch scratch = {.memory = memory, .size = sizeof memory};
+    static const struct scarp_scratch scratch = {.memory = memory, .size = sizeof memory},
+                                      planned = {.plan = plan};
     static struct recipe_writer w;
     job->kind = RECIPE;
     for (int i = 0; i < 4; i++) {
@@ -397,10 +400,12 @@ static void measure_recipes(const struct guarded *stack, struct job *job, struct
         measure(stack, job, alone, "scarp_recipe_uniforms");
         job->recipe_call = ANSWERS;
         measure(stack, job, alone, "scarp_recipe_answers");
+        job->recipe_call = PLAN;
+        measure(stack, job, worst, "scarp_recipe_plan_make");
         const enum scarp_isa isa = scarp_isa_active();
         for (int k = 0; k < 2; k++) {
             struct worst *const of = k == 0 ? worst : alone;
-            job->scratch = k == 0 ? &scratch : NULL;
+            job->scratch = k == 0 ? &scratch : i % 2 == 0 ? &planned : NULL;
             job->grid = (struct scarp_grid){.step = {0.1, 0.1, 0.1},
                                             .count = {isa == SCARP_ISA_SCALAR ? 9 : 33, 5, 3}};
             job->count = isa == SCARP_ISA_SCALAR ? 7 : MOST_POINTS;

@@ -27,6 +27,8 @@ static double x64[3][POINTS];
 static const struct inputs in = {{x32[0], x32[1], x32[2]}, {x64[0], x64[1], x64[2]}};
 
 static struct scarp_plan plans[2]; /* which all threads share; zeros at first */
+static struct scarp_recipe recipe; /* likewise; */
+static uint64_t recipe_plan[2048]; /* and its plan */
 static atomic_int waiting;         /* threads that have yet to arrive */
 static atomic_int sampling;        /* threads that have yet to finish sampling */
 static atomic_int disagreeing;     /* hashes that were not `agreed` */
@@ -48,6 +50,19 @@ static void start_together(void)
     }
 }
 
+/* Adds samples of the recipe, if there is one. */
+static uint64_t sample_recipe(uint64_t hash, const struct outputs *o)
+{
+    const struct scarp_samples out = outputs_subset(o, OUTPUTS_ALL2 & ~OUTPUTS_PHASE);
+    const struct scarp_recipe_outputs outputs = {.out = &out, .count = 1};
+    const struct scarp_scratch scratch = {.plan = recipe_plan};
+    if (recipe.first != 0 && scarp_recipe_sample(&recipe, POINTS, in.f[0], in.f[1], NULL, &outputs,
+                                                 &scratch) != SCARP_OK) {
+        atomic_fetch_add(&disagreeing, 1);
+    }
+    return outputs_hash(hash, o, OUTPUTS_ALL2 & ~OUTPUTS_PHASE, POINTS);
+}
+
 static uint64_t sample_all(uint64_t seed)
 {
     struct outputs o = outputs_make(POINTS);
@@ -62,6 +77,7 @@ static uint64_t sample_all(uint64_t seed)
         }
         hash = outputs_hash(hash, &o, function_outputs(f), POINTS);
     }
+    hash = sample_recipe(hash, &o);
     outputs_free(&o);
     return hash;
 }
@@ -166,12 +182,16 @@ static void *select_or_sample(void *argument)
 
 static void test_selecting(void)
 {
+    static const char text[] =
+        "recipe 1\na = warp(noise(octaves=3), noise(amplitude=0.4)) * noise(value, seed=1)";
     struct worker workers[THREADS];
+    CHECK(scarp_recipe_parse(text, strlen(text), &recipe, NULL, 0, NULL) == SCARP_OK, "%s", text);
     agreed = sample_all(1);
     for (int dimensions = 2; dimensions <= 3; dimensions++) {
         const struct scarp_noise noise = {.octaves = 2.0f, .seed = 1};
         CHECK(scarp_plan_make(&noise, dimensions, &plans[dimensions - 2]) == SCARP_OK, "no plan");
     }
+    CHECK(scarp_recipe_plan_make(&recipe, recipe_plan, sizeof recipe_plan) == SCARP_OK, "no plan");
     CHECK(sample_all(1) == agreed, "plans give other bits");
     atomic_store(&sampling, THREADS - 2);
     start(workers, select_or_sample);
