@@ -185,11 +185,14 @@ static enum scarp_status sample(const struct scarp_recipe *recipe, const struct 
     const enum scarp_status status =
         scarpi_check_points(points->count, points->position, r->dimensions,
                             points->doubles ? sizeof(double) : sizeof(float));
-    struct recipe_evaluation call = {
-        .recipe = r,
-        .has_doubles = points->doubles,
-        .count = points->count,
-        .at = {points->position[0], points->position[1], points->position[2]}};
+    struct recipe_evaluation call; /* as a whole, gcc would set it to 0 by "rep stos" */
+    call.recipe = r;
+    call.has_doubles = points->doubles;
+    call.count = points->count;
+    call.grid = NULL;
+    for (int i = 0; i < 3; i++) {
+        call.at[i] = points->position[i];
+    }
     return status != SCARP_OK ? status : run(&call, outputs, scratch);
 }
 

@@ -140,7 +140,8 @@ static KEEP_STATUS enum scarp_status run_steps(struct recipe_machine *m,
 static int has_all_members(const struct recipe_machine *m, int node,
                            const struct scarp_samples *out)
 {
-    const struct scarp_samples s = scarpi_recipe_samples(m, node);
+    struct scarp_samples s;
+    scarpi_recipe_find_samples(m, node, &s);
     for (int i = 0; i < RECIPE_MEMBERS; i++) {
         if ((recipe_member(&s, i) == NULL) != (recipe_member(out, i) == NULL)) {
             return 0;

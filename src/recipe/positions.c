@@ -221,17 +221,16 @@ struct points {
     const void *at[3];
 };
 
-static struct points points_of(const struct recipe_machine *m, int place)
+static void find_points(const struct recipe_machine *m, int place, struct points *p)
 {
-    struct points p = {.count = m->chunk->count};
     const bool is_given = is_points(place) && m->chunk->grid == NULL;
+    p->count = m->chunk->count;
     if (!is_given) {
         find_positions(m, place);
     }
     for (int i = 0; i < 3; i++) {
-        p.at[i] = is_given ? m->chunk->at[i] : m->position[i];
+        p->at[i] = is_given ? m->chunk->at[i] : m->position[i];
     }
-    return p;
 }
 
 /* The noise that a node samples, with its warps, and the plans that there are. */
@@ -252,7 +251,8 @@ static enum scarp_status run_noise(struct recipe_machine *m, const struct recipe
         return dimensions == 2 ? scarp_grid2(noise, m->chunk->grid, out)
                                : scarp_grid3(noise, m->chunk->grid, out);
     }
-    const struct points p = points_of(m, n->place);
+    struct points p;
+    find_points(m, n->place, &p);
     if (m->has_doubles) {
         return dimensions == 2 ? scarp_sample2_f64(noise, p.count, p.at[0], p.at[1], out)
                                : scarp_sample3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], out);
@@ -291,7 +291,8 @@ static enum scarp_status run_vector(struct recipe_machine *m, int node)
             keep_dimensions(&out[i], dimensions);
         }
     }
-    const struct points p = points_of(m, n->place);
+    struct points p;
+    find_points(m, n->place, &p);
     if (m->has_doubles) {
         status = dimensions == 2
                      ? scarp_vector2_f64(noise, p.count, p.at[0], p.at[1], out)
@@ -332,7 +333,8 @@ static enum scarp_status run_cell(struct recipe_machine *m, const struct recipe_
     } else {
         to = (struct scarp_cells){.f2 = out->value, .dx2 = out->dx, .dy2 = out->dy, .dz2 = out->dz};
     }
-    const struct points p = points_of(m, n->place);
+    struct points p;
+    find_points(m, n->place, &p);
     if (m->has_doubles) {
         status = dimensions == 2 ? scarp_cells2_f64(noise, p.count, p.at[0], p.at[1], &to)
                                  : scarp_cells3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], &to);
@@ -366,7 +368,8 @@ static enum scarp_status run_gullies(const struct recipe_machine *m, const struc
     if (is_points(n->place) && m->chunk->grid != NULL) {
         return scarp_gullies_grid2(g, m->chunk->grid, &base, &to);
     }
-    const struct points p = points_of(m, n->place);
+    struct points p;
+    find_points(m, n->place, &p);
     return m->has_doubles ? scarp_gullies2_f64(g, p.count, p.at[0], p.at[1], &base, &to)
                           : scarp_gullies2(g, p.count, p.at[0], p.at[1], &base, &to);
 }
@@ -416,7 +419,8 @@ static void run_coordinate(const struct recipe_machine *m, const struct recipe_n
     if (m->has_doubles && place->frame < 0 && place->rest[axis] < 0) {
         set_coordinate(m, place, axis, out->value);
     } else {
-        const struct points p = points_of(m, n->place);
+        struct points p;
+        find_points(m, n->place, &p);
         for (size_t i = 0; i < count; i++) {
             out->value[i] = m->has_doubles ? (float)((const double *)p.at[axis])[i]
                                            : ((const float *)p.at[axis])[i];
