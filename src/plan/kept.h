@@ -37,7 +37,7 @@ static inline uint64_t mark_of(int dimensions, int is_vector)
 /* What is compared at once. */
 typedef uint64_t pair __attribute__((vector_size(16)));
 
-static inline pair difference(const void *a, const void *b, size_t at)
+static inline pair difference_at(const void *a, const void *b, size_t at)
 {
     pair x, y;
     memcpy(&x, (const char *)a + at, sizeof x);
@@ -48,9 +48,9 @@ static inline pair difference(const void *a, const void *b, size_t at)
 /* Ones where bytes from `first` to before `end` differ. The last pair overlaps the one before. */
 static inline pair differences(const void *a, const void *b, size_t first, size_t end)
 {
-    pair different = difference(a, b, end - sizeof(pair));
+    pair different = difference_at(a, b, end - sizeof(pair));
     for (size_t i = first; i + sizeof(pair) < end; i += sizeof(pair)) {
-        different |= difference(a, b, i);
+        different |= difference_at(a, b, i);
     }
     return different;
 }
