@@ -374,6 +374,8 @@ static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
     one.fractal = SCARP_FBM;
     one.order++;
     one.octaves = 1;
+    one.plain = blends_corners(one.basis) && one.repeat == SCARP_REPEAT_NEVER && !one.flows &&
+                one.component == 0;
     at->blocks = whole_blocks(chunk_count(chunk)) / VEC_LANES;
     bend_begin(at, w->f.dimensions, plan->order);
     find_input(w, chunk);

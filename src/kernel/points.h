@@ -176,13 +176,19 @@ static void points_values(const struct scarp_call_plan *plan, size_t count,
     }
 }
 
-/* Computes more points than few.h serves. few.h takes the remainder of plain fBm with straight
-   axes; for all other noise, it is faster to pad the last block. */
+/* Computes points of a call that few.h does not serve as a whole: there are more, or they are warped
+   or bent, octave by octave, and then few.h serves floats if they are few. It takes the remainder of
+   plain fBm with straight axes, too; for all other noise, it is faster to pad the last block. */
 static __attribute__((noinline)) void points_within(const struct scarp_call_plan *plan,
                                                     size_t count, const void *const position[3],
                                                     const struct scarp_outputs *out, struct frame f,
                                                     struct workspace work)
 {
+    few_pass *const all = f.layout == FLOATS ? few_pass_of(plan, count, f.dimensions) : NULL;
+    if (all != NULL) {
+        all(plan, count, position, out, 0, FLOATS);
+        return;
+    }
     const int is_straight = plan->fractal == SCARP_FBM && !plan->rotate;
     const int has_few = is_straight && plan->plain;
     const size_t rest = has_few && plan->order <= FEW_ORDER ? count % VEC_LANES : 0;
