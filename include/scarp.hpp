@@ -528,8 +528,9 @@ class scratch
     std::size_t size_ = 0;
 };
 
-/* A recipe, with its 64 KiB. Copies are recipes of their own. Any number of threads may sample one.
-   Calls for an empty recipe, or one that was moved from, give SCARP_ERROR_NULL. */
+/* A recipe, with its 64 KiB and its plan, which is made whenever the recipe changes. Copies are
+   recipes of their own. Any number of threads may sample one. Calls for an empty recipe, or one that
+   was moved from, give SCARP_ERROR_NULL. */
 class recipe
 {
   public:
@@ -539,6 +540,7 @@ class recipe
     recipe &operator=(recipe &&) noexcept = default;
     recipe(const recipe &other) : c_(other.c_ ? std::make_unique<scarp_recipe>(*other.c_) : nullptr)
     {
+        make_plan();
     }
     recipe &operator=(const recipe &other) { return *this = recipe(other); }
 
@@ -553,7 +555,7 @@ class recipe
         if (status == SCARP_OK) {
             c_ = std::move(fresh);
         }
-        return told(status, first);
+        return changed(status, first);
     }
 
     result try_set(const char *name, double value) noexcept /* a parameter, or "finest" */
@@ -563,17 +565,17 @@ class recipe
         if (status == SCARP_ERROR_PARAMETER && error.text == nullptr) {
             error.text = "there is no such parameter, or its interval has no such value";
         }
-        return told(status, error);
+        return changed(status, error);
     }
     void set(const char *name, double value) { try_set(name, value).check(); }
     /* All 64 bits count: -1 is 2^64 - 1. */
-    void seed(std::uint64_t seed) { result{scarp_recipe_seed(c_.get(), seed)}.check(); }
+    void seed(std::uint64_t seed) { changed(scarp_recipe_seed(c_.get(), seed), {}).check(); }
     /* Makes it repeat, as the line `tile x, y` of a text does, or with 0 not at all. */
     result try_tile(double x, double y, double z = 0.0) noexcept
     {
         scarp_recipe_error error;
         const scarp_status status = scarp_recipe_tile(c_.get(), x, y, z, &error);
-        return told(status, error);
+        return changed(status, error);
     }
     void tile(double x, double y, double z = 0.0) { try_tile(x, y, z).check(); }
     /* Makes it so many times larger, and the values of the first output. */
@@ -581,10 +583,12 @@ class recipe
     {
         scarp_recipe_error error;
         const scarp_status status = scarp_recipe_scale(c_.get(), by, heights, &error);
-        return told(status, error);
+        return changed(status, error);
     }
     void scale(double by, double heights = 1.0) { try_scale(by, heights).check(); }
-    const scarp_recipe *get() const noexcept { return c_.get(); } /* for other calls of scarp.h */
+    /* For other calls of scarp.h; the plan, for struct scarp_scratch, may be nullptr. */
+    const scarp_recipe *get() const noexcept { return c_.get(); }
+    const void *plan() const noexcept { return plan_.get(); }
 
     /* The interval that values never leave: of the first output, or of number `which`, a statement
        or part as in struct scarp_recipe_outputs; everywhere, or in a box */
@@ -627,9 +631,22 @@ class recipe
     }
 
   private:
-    static result told(scarp_status status, const scarp_recipe_error &e) noexcept
+    /* The result of a call that changes the recipe, and its plan if there is no error */
+    result changed(scarp_status status, const scarp_recipe_error &e) noexcept
     {
-        return status == SCARP_OK ? result{} : result{status, e.member, e.text, e.line, e.column};
+        if (status != SCARP_OK) {
+            return {status, e.member, e.text, e.line, e.column};
+        }
+        make_plan();
+        return {};
+    }
+    void make_plan() noexcept /* Without one, for want of memory, few points take longer. */
+    {
+        const std::size_t size = scarp_recipe_plan_size(c_.get());
+        plan_.reset(size > 0 ? new (std::nothrow) std::uint64_t[size / 8 + 1] : nullptr);
+        if (plan_ && scarp_recipe_plan_make(c_.get(), plan_.get(), size) != SCARP_OK) {
+            plan_.reset();
+        }
     }
     bool is_flat() const noexcept /* Whether the recipe is of the plane */
     {
@@ -645,13 +662,15 @@ class recipe
         const auto with_memory = [&](const scarp_samples *c) {
             const int order = detail::asked_of(c, std::min(count, 16)).order;
             const scarp_recipe_outputs outputs{.out = c, .count = count};
-            const scarp_scratch room = memory.of(c_.get(), order, of.count);
+            scarp_scratch room = memory.of(c_.get(), order, of.count);
+            room.plan = plan_.get();
             return result{call(&outputs, &room)};
         };
         return detail::run(of, with_memory, out);
     }
 
     std::unique_ptr<scarp_recipe> c_;
+    std::unique_ptr<std::uint64_t[]> plan_;
 };
 
 } // namespace v0_2

@@ -5,6 +5,23 @@
  */
 #include <thread>
 
+#include <scarp.h>
+
+/* The plan that a call of scarp.hpp brought last */
+static thread_local const void *brought;
+
+static scarp_status bring(const scarp_scratch *scratch, scarp_status status)
+{
+    brought = scratch != nullptr ? scratch->plan : nullptr;
+    return status;
+}
+#define scarp_recipe_sample(r, n, x, y, z, out, scratch)                                           \
+    bring(scratch, (scarp_recipe_sample)(r, n, x, y, z, out, scratch))
+#define scarp_recipe_sample_f64(r, n, x, y, z, out, scratch)                                       \
+    bring(scratch, (scarp_recipe_sample_f64)(r, n, x, y, z, out, scratch))
+#define scarp_recipe_grid(r, grid, out, scratch)                                                   \
+    bring(scratch, (scarp_recipe_grid)(r, grid, out, scratch))
+
 #include "check.hpp"
 
 namespace
@@ -311,6 +328,52 @@ void check_scratch()
     CHECK(found == expected && own.of(r.get(), 0, 1).memory != memory);
 }
 
+/* Whether a recipe has the plan that C makes of it, and brings it to calls */
+bool has_plan(const scarp::recipe &r)
+{
+    const std::size_t size = scarp_recipe_plan_size(r.get());
+    std::vector<std::uint64_t> plan(size / 8 + 1);
+    if (size == 0 || scarp_recipe_plan_make(r.get(), plan.data(), size) != SCARP_OK ||
+        std::memcmp(r.plan(), plan.data(), size) != 0) {
+        return false;
+    }
+    const std::vector<float> x{33}, y{44};
+    const std::vector<double> u{33}, v{44};
+    std::vector<float> value(1);
+    bool all = true;
+    const auto brings = [&] { all = all && std::exchange(brought, nullptr) == r.plan(); };
+    r.sample({x, y}, {.value = value});
+    brings();
+    r.sample({u, v}, {.value = value});
+    brings();
+    r.grid({.count = {1, 1, 1}}, {.value = value});
+    brings();
+    return all;
+}
+
+/* A recipe has a plan, whatever becomes of it. */
+void check_plans()
+{
+    scarp::recipe r(FLAT);
+    CHECK(has_plan(r));
+    r.seed(9);
+    CHECK(has_plan(r));
+    r.set("finest", 40);
+    CHECK(has_plan(r));
+    CHECK(!r.try_set("height", -1) && !r.load("recipe 2") && has_plan(r));
+    r.scale(3, 2);
+    CHECK(has_plan(r));
+    const scarp::recipe copy = r;
+    CHECK(copy.plan() != r.plan() && has_plan(copy) && has_plan(r));
+    CHECK(r.load("recipe 1\nout a = noise(size=8)\n") && has_plan(r) && has_plan(copy));
+    r.tile(32, 48);
+    CHECK(has_plan(r));
+    scarp::recipe moved = std::move(r);
+    CHECK(has_plan(moved) && r.plan() == nullptr);
+    r = copy;
+    CHECK(has_plan(r) && scarp::recipe().plan() == nullptr);
+}
+
 /* Threads share one recipe, with no other memory than their own. */
 void check_threads()
 {
@@ -350,6 +413,7 @@ int main()
     check_moves();
     check_copies();
     check_scratch();
+    check_plans();
     check_threads();
     return failures == 0 ? 0 : 1;
 }
