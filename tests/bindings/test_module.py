@@ -4,6 +4,7 @@
     test_module.py SOURCE_DIR LIBRARY
 """
 import copy
+import ctypes
 import math
 import os
 import pickle
@@ -523,6 +524,52 @@ class Recipes(unittest.TestCase):
                 one = recipe.at(x[i], -x[i], derivatives=2, output=output)
                 for name in ("value", "dx", "dyy"):
                     equal(getattr(one, name), getattr(all_, name)[i])
+
+    def test_plan(self):
+        """All calls bring the plan that C makes of the recipe as it is then."""
+        from scarp import _recipe
+        brought = []
+
+        class Watched:
+            def __getattr__(self, name):
+                function = getattr(lib, name)
+                if name not in ("scarp_recipe_sample", "scarp_recipe_sample_f64",
+                                "scarp_recipe_grid"):
+                    return function
+
+                def call(*arguments):
+                    room = _recipe._Scratch.from_address(arguments[-1])
+                    brought.append((arguments[0], room.plan))
+                    return function(*arguments)
+                return call
+
+        def check(recipe):
+            del brought[:]
+            recipe.grid((20, 30), threads=3)
+            recipe.at(1.0, 2.0)
+            recipe.at(F(1), F(2))
+            self.assertGreater(len(brought), 3)
+            for memory, plan in brought:
+                size = lib.scarp_recipe_plan_size(memory)
+                want = np.empty(size // 8 + 1, np.uint64)
+                self.assertEqual(lib.scarp_recipe_plan_make(memory, want.ctypes.data, size), 0)
+                self.assertGreater(size, 0)
+                self.assertEqual(ctypes.string_at(plan, size), want.tobytes()[:size])
+
+        lib, _recipe.lib = _recipe.lib, Watched()
+        try:
+            recipe = scarp.Recipe(TEXT, seed=3)
+            check(recipe)
+            recipe.seed = 4
+            check(recipe)
+            recipe.finest = 8
+            check(recipe)
+            recipe.scale(2, 3)
+            recipe.tile(160, 80)
+            check(recipe)
+            check(copy.copy(recipe))
+        finally:
+            _recipe.lib = lib
 
     def test_copies(self):
         recipe = scarp.Recipe(TEXT, seed=3, high=20)

@@ -15,10 +15,24 @@ from ._samples import Samples, members_of
 
 _Error, _Entry, _Outputs, _Scratch, _Samples, _Box = (STRUCTURES["scarp_" + name] for name in (
     "recipe_error", "recipe_entry", "recipe_outputs", "scratch", "samples", "box"))
-_Words = ctypes.c_uint64 * (ctypes.sizeof(STRUCTURES["scarp_recipe"]) // 8)
 ERRORS = 32     # how many errors of a text are told
 MOST_SCRATCH = 2 ** 28  # bytes that calls are tried with
 FIELDS = tuple(ENUMS["scarp_recipe_kind"]["SCARP_RECIPE_" + kind] for kind in ("FIELD", "NOISE"))
+
+
+class _Memory(ctypes.c_uint64 * (ctypes.sizeof(STRUCTURES["scarp_recipe"]) // 8)):
+    """A recipe in C. Once it is made it stays as it is, with what calls take beside it: the address
+    of its plan, and the best sizes of scratch memory for orders 0 to 2."""
+
+    def prepare(self):
+        recipe = ctypes.addressof(self)
+        size = lib.scarp_recipe_plan_size(recipe)
+        self.words = np.empty(size // 8 + 1, np.uint64)
+        self.plan = self.words.ctypes.data
+        if lib.scarp_recipe_plan_make(recipe, self.plan, size):
+            self.plan = None  # then few points take longer
+        self.best = [lib.scarp_recipe_scratch_size(recipe, i, 0) for i in range(3)]
+
 
 Param = namedtuple("Param", "value lowest highest")
 Param.__doc__ = "A parameter of a recipe: its value, and the interval that it has."
@@ -86,7 +100,7 @@ class Recipe:
         put("_finest", 0.0)
         put("_tile", None)
         put("_scale", None)
-        memory = _Words()
+        memory = _Memory()
         errors, found = (_Error * ERRORS)(), ctypes.c_size_t()
         status = lib.scarp_recipe_parse(self._text, len(self._text), ctypes.addressof(memory),
                                         ctypes.addressof(errors), ERRORS, ctypes.byref(found))
@@ -109,6 +123,7 @@ class Recipe:
 
     def _describe(self, memory):
         entries, index = {}, 0
+        memory.prepare()
         while True:
             entry = _Entry()
             if lib.scarp_recipe_entry_at(ctypes.addressof(memory), index, ctypes.addressof(entry)):
@@ -206,7 +221,7 @@ class Recipe:
     def _change(self, call, *arguments, error=None, at_fault="seed"):
         """Changes a copy and puts it in the place of the recipe: calls under way keep theirs."""
         with self._lock:
-            memory = _Words.from_buffer_copy(self._memory)
+            memory = _Memory.from_buffer_copy(self._memory)
             status = call(ctypes.addressof(memory), *arguments)
             if status and error is not None and error.text:
                 raise RecipeError([place_of(error)], STATUS_NAMES[status])
@@ -266,13 +281,14 @@ class Recipe:
             asked = _Outputs(out=ctypes.addressof(out), which=ctypes.addressof(which),
                              count=len(names))
             here = ctypes.addressof(memory), start, stop, ctypes.addressof(asked)
-            best, few = (lib.scarp_recipe_scratch_size(here[0], orders, points)
-                         for points in (0, max((stop - start) * each, 1)))
+            best, few = memory.best[orders], lib.scarp_recipe_scratch_size(
+                here[0], orders, max((stop - start) * each, 1))
             size, status = min(best, few or best), STATUS["SCARP_ERROR_SIZE"]
             # That is the size for outputs of the text. Other fields may need more.
             while status == STATUS["SCARP_ERROR_SIZE"] and size <= MOST_SCRATCH:
                 scratch = np.empty(size // 8 + 1, np.uint64)
-                room = _Scratch(memory=scratch.ctypes.data, size=8 * scratch.size)
+                room = _Scratch(memory=scratch.ctypes.data, size=8 * scratch.size,
+                                plan=memory.plan)
                 status = call(*here, ctypes.addressof(room))
                 size = max(2 * size, 8192)
             return status
