@@ -89,6 +89,7 @@ struct Entry {
 #[derive(Clone)]
 pub struct Recipe {
     c: Box<ffi::scarp_recipe>,
+    plan: Vec<u64>, // made of `c` whenever that changes
     text: String,
     entries: Vec<Entry>,
     dimensions: usize,
@@ -141,8 +142,9 @@ impl Recipe {
             let errors = &errors[..found.min(MOST_ERRORS)];
             return Err(Error::of_places(status, errors.iter().map(Place::of).collect()));
         }
-        let mut recipe =
-            Recipe { c, text: text.to_owned(), entries: Vec::new(), dimensions: 2, seed: 0 };
+        let (text, entries, plan) = (text.to_owned(), Vec::new(), Vec::new());
+        let mut recipe = Recipe { c, plan, text, entries, dimensions: 2, seed: 0 };
+        recipe.make_plan();
         recipe.entries = recipe.read_entries();
         recipe.dimensions = recipe.entry_at(0).map_or(2, |entry| entry.dimensions as usize);
         Ok(recipe)
@@ -160,6 +162,16 @@ impl Recipe {
             Some((_, text)) => Recipe::new(text),
             None => Err(Error::new(Status::Enum, format!("{:?}", name), "there is no such preset")),
         }
+    }
+
+    /// The constants of all noises, so that calls with few points are fast
+    fn make_plan(&mut self) {
+        // SAFETY: the pointer is valid.
+        let bytes = unsafe { ffi::scarp_recipe_plan_size(&*self.c) };
+        self.plan.resize(bytes / 8 + 1, 0);
+        // A plan that is not made is that of the recipe before, which does no harm.
+        // SAFETY: both pointers are valid, and there is room for all bytes.
+        unsafe { ffi::scarp_recipe_plan_make(&*self.c, self.plan.as_mut_ptr().cast(), bytes) };
     }
 
     fn entry_at(&self, index: usize) -> Option<ffi::scarp_recipe_entry> {
@@ -239,6 +251,7 @@ impl Recipe {
         let status =
             unsafe { ffi::scarp_recipe_set(&mut *self.c, c_name.as_ptr(), value, &mut error) };
         if status == ffi::SCARP_OK {
+            self.make_plan();
             return Ok(());
         }
         if !error.text.is_null() {
@@ -265,6 +278,7 @@ impl Recipe {
     pub fn set_seed(&mut self, seed: u64) -> Result<(), Error> {
         // SAFETY: the pointer is valid.
         crate::error::check(unsafe { ffi::scarp_recipe_seed(&mut *self.c, seed) })?;
+        self.make_plan();
         self.seed = seed;
         Ok(())
     }
@@ -282,7 +296,7 @@ impl Recipe {
         let mut error = ffi::scarp_recipe_error::default();
         // SAFETY: both pointers are valid.
         let status = unsafe { ffi::scarp_recipe_tile(&mut *self.c, x, y, z, &mut error) };
-        changed(status, &error, "tile")
+        self.changed(status, &error, "tile")
     }
 
     /// Makes the recipe `by` times larger, as `scale(..., by)` does with each statement, and
@@ -300,7 +314,24 @@ impl Recipe {
         let mut error = ffi::scarp_recipe_error::default();
         // SAFETY: both pointers are valid.
         let status = unsafe { ffi::scarp_recipe_scale(&mut *self.c, by, heights, &mut error) };
-        changed(status, &error, "scale")
+        self.changed(status, &error, "scale")
+    }
+
+    /// The result of a call that changes the recipe, and its plan if there is no error
+    fn changed(
+        &mut self,
+        status: ffi::scarp_status,
+        error: &ffi::scarp_recipe_error,
+        at_fault: &'static str,
+    ) -> Result<(), Error> {
+        match status {
+            ffi::SCARP_OK => {
+                self.make_plan();
+                Ok(())
+            }
+            _ if !error.text.is_null() => Err(Error::of_places(status, vec![Place::of(error)])),
+            _ => Err(Error::of(status, at_fault)),
+        }
     }
 
     /// What an output is made of, or another field of the text
@@ -365,18 +396,5 @@ impl Recipe {
     /// long as the recipe is neither changed nor moved away.
     pub fn as_ptr(&self) -> *const ffi::scarp_recipe {
         &*self.c
-    }
-}
-
-/// The result of a call that changes a recipe
-fn changed(
-    status: ffi::scarp_status,
-    error: &ffi::scarp_recipe_error,
-    at_fault: &'static str,
-) -> Result<(), Error> {
-    match status {
-        ffi::SCARP_OK => Ok(()),
-        _ if !error.text.is_null() => Err(Error::of_places(status, vec![Place::of(error)])),
-        _ => Err(Error::of(status, at_fault)),
     }
 }

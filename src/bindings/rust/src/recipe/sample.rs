@@ -32,7 +32,7 @@ impl Scratch {
         Scratch::default()
     }
 
-    fn c(&mut self, bytes: usize) -> ffi::scarp_scratch {
+    fn c(&mut self, bytes: usize, plan: &[u64]) -> ffi::scarp_scratch {
         let words = bytes / 8 + 1;
         if self.0.len() < words {
             self.0.resize(words, 0);
@@ -40,6 +40,7 @@ impl Scratch {
         ffi::scarp_scratch {
             memory: self.0.as_mut_ptr().cast(),
             size: 8 * words,
+            plan: plan.as_ptr().cast(),
             ..Default::default()
         }
     }
@@ -177,12 +178,12 @@ impl Recipe {
             (0, best) => best, // more points than memory has room for
             (few, best) => few.min(best),
         };
-        let mut status = call(&asked, &scratch.c(bytes));
+        let mut status = call(&asked, &scratch.c(bytes, &self.plan));
         // That is the size for outputs of the text. Other fields may need more.
         let mut more = bytes.max(8192);
         while status == ffi::SCARP_ERROR_SIZE && more < MOST_SCRATCH {
             more *= 2;
-            status = call(&asked, &scratch.c(more));
+            status = call(&asked, &scratch.c(more, &self.plan));
         }
         self.blame(status, outputs)
     }
@@ -227,5 +228,41 @@ fn order_of(out: &Samples<'_>) -> i32 {
         2
     } else {
         i32::from(any(&[&out.dx, &out.dy, &out.dz]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether the recipe has the plan that C makes of it now
+    fn has_plan(recipe: &Recipe) -> bool {
+        // SAFETY: all pointers are valid, and there is room for all bytes.
+        unsafe {
+            let bytes = ffi::scarp_recipe_plan_size(recipe.as_ptr());
+            let mut plan = vec![0u64; bytes / 8 + 1];
+            let to = plan.as_mut_ptr().cast();
+            bytes > 0
+                && ffi::scarp_recipe_plan_make(recipe.as_ptr(), to, bytes) == ffi::SCARP_OK
+                && recipe.plan[..bytes / 8] == plan[..bytes / 8]
+        }
+    }
+
+    #[test]
+    fn a_recipe_has_its_plan() -> Result<(), Error> {
+        let mut recipe =
+            Recipe::new("recipe 1\nparam h = 1 [0, 9]\nout a = h * noise(size=8, octaves=3)")?;
+        assert!(has_plan(&recipe));
+        recipe.set_seed(7)?;
+        assert!(has_plan(&recipe));
+        recipe.set("finest", 4.0)?;
+        assert!(recipe.set("h", -1.0).is_err() && has_plan(&recipe));
+        let mut other = recipe.clone();
+        other.set_scale(2.0, 3.0)?;
+        other.set_tile([64.0, 32.0, 0.0])?;
+        assert!(has_plan(&other) && has_plan(&recipe) && other.plan != recipe.plan);
+        let room = Scratch::new().c(100, &recipe.plan);
+        assert!(room.plan == recipe.plan.as_ptr().cast() && room.size >= 100);
+        Ok(())
     }
 }
