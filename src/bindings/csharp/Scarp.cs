@@ -1384,7 +1384,7 @@ namespace Scarp
         // What calls read. It is never changed, but replaced.
         sealed class State
         {
-            public Block block;
+            public Block block, plan;
             public ulong seed;
             public double finest;
             public readonly Dictionary<string, Entry> entries = new Dictionary<string, Entry>();
@@ -1429,6 +1429,7 @@ namespace Scarp
                 }
             }
             Describe(made);
+            made.plan = PlanOf(made.block);
             state = made;
             outputs = OutputsOf(made);
             Dimensions = made.entries[outputs[0]].dimensions;
@@ -1583,6 +1584,17 @@ namespace Scarp
             }
         }
 
+        // The constants of all noises, so that calls with few points are fast
+        internal static Block PlanOf(Block recipe)
+        {
+            var r = (Native.scarp_recipe*)recipe.Pointer;
+            UIntPtr size = Native.scarp_recipe_plan_size(r);
+            var plan = new Block((int)size);
+            Native.scarp_recipe_plan_make(r, plan.Pointer, size); // else it is zeros: no plan
+            GC.KeepAlive(recipe);
+            return plan;
+        }
+
         static string[] OutputsOf(State made)
         {
             var names = new SortedDictionary<int, string>();
@@ -1618,6 +1630,7 @@ namespace Scarp
                     keep(made);
                 }
                 Describe(made);
+                made.plan = PlanOf(made.block);
                 state = made;
             }
         }
@@ -1762,7 +1775,8 @@ namespace Scarp
                 }
                 fixed (ulong* memory = scratch) {
                     var room = new Native.scarp_scratch {
-                        memory = memory, size = (UIntPtr)(ulong)(size / 8 * 8 + 8)
+                        memory = memory, size = (UIntPtr)(ulong)(size / 8 * 8 + 8),
+                        plan = now.plan.Pointer
                     };
                     r->scratch = &room;
                     status = Request.Pin(r, into, 0, count, to, second, default(Samples),
@@ -1770,6 +1784,7 @@ namespace Scarp
                 }
             }
             GC.KeepAlive(now.block);
+            GC.KeepAlive(now.plan);
             if (status != Status.Ok) {
                 throw new ScarpException(status, r->grid != null && status == Status.Parameter
                                          ? "grid" : null);
@@ -1896,11 +1911,12 @@ namespace Scarp
     /// each with scratch memory of its own, or without any.</summary>
     public sealed unsafe class PinnedRecipe : IDisposable
     {
-        readonly Block block;
+        readonly Block block, plan;
 
         internal PinnedRecipe(Block of)
         {
             block = new Block(of);
+            plan = Recipe.PlanOf(block);
         }
 
         /// <summary>For the calls of Native. ObjectDisposedException after Dispose.</summary>
@@ -1918,9 +1934,22 @@ namespace Scarp
             }
         }
 
+        /// <summary>For scarp_scratch.plan: with it, calls with few points are fast.</summary>
+        public void* Plan
+        {
+            get
+            {
+                if (plan.IsClosed) {
+                    throw new ObjectDisposedException("PinnedRecipe");
+                }
+                return plan.Pointer;
+            }
+        }
+
         public void Dispose()
         {
             block.Dispose();
+            plan.Dispose();
         }
     }
 

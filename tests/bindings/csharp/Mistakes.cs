@@ -3,6 +3,7 @@
 // Mistakes in calls of Scarp.cs, and the exceptions that tell of them.
 using System;
 using System.Collections.Generic;
+using System.Reflection;
 using System.Threading;
 using System.Threading.Tasks;
 using Scarp;
@@ -368,6 +369,37 @@ static class Mistakes
         Task.WaitAll(tasks);
     }
 
+    // Recipes have the plan that C makes of them as they are, and so have pinned ones.
+    static unsafe void Plans()
+    {
+        var recipe = new Recipe("recipe 1\nparam h = 2 [1, 3]\nout a = h * noise(size=9, octaves=4)");
+        Action[] changes = {
+            () => {}, () => recipe.Seed = 5, () => recipe.Finest = 2, () => recipe.Scale(2, 3),
+            () => recipe.Finest = 0, () => recipe.Tile(90, 18)
+        };
+        foreach (Action change in changes) {
+            change();
+            const BindingFlags Any = BindingFlags.Instance | BindingFlags.NonPublic
+                | BindingFlags.Public;
+            object state = typeof(Recipe).GetField("state", Any).GetValue(recipe);
+            var own = (Scarp.Internal.Block)state.GetType().GetField("plan", Any).GetValue(state);
+            PinnedRecipe pinned = recipe.Pin();
+            int size = (int)Native.scarp_recipe_plan_size(pinned.Pointer);
+            var words = new ulong[size / 8 + 1];
+            fixed (ulong* p = words) {
+                Status status = Native.scarp_recipe_plan_make(pinned.Pointer, p, (UIntPtr)(uint)size);
+                var expected = new Span<byte>(p, size);
+                if (status != Status.Ok || size == 0
+                    || !expected.SequenceEqual(new Span<byte>(own.Pointer, size))
+                    || !expected.SequenceEqual(new Span<byte>(pinned.Plan, size))) {
+                    throw new Exception("a recipe has another plan than C makes of it");
+                }
+            }
+            pinned.Dispose();
+            Expect<ObjectDisposedException>(null, () => { void* gone = pinned.Plan; });
+        }
+    }
+
     static void Versions()
     {
         foreach (string version in new[] {
@@ -392,6 +424,7 @@ static class Mistakes
         Recipes();
         Threads();
         Shared();
+        Plans();
         Versions();
         Console.WriteLine(count + " mistakes are told");
     }
