@@ -116,6 +116,7 @@ export function functionsOf({ exports, memory }) {
 export class Recipe {
     #tools; // of class Scarp
     #at; // where the recipe is; behind it what calls want
+    #plan = 0; // where its plan is, which is made whenever it changes
     #text;
     #indices;
     #faults = [];
@@ -186,6 +187,29 @@ export class Recipe {
         }
         new Uint8Array(memory.buffer, this.#outputs, OUTPUTS.SIZE + STORE.SIZE).fill(0);
         view.setUint32(this.#outputs + OUTPUTS.out, this.#samples, true);
+        this.#makePlan();
+    }
+
+    // The constants of all noises, so that calls with few points are fast; none without memory
+    #makePlan() {
+        const { exports, memory } = this.#tools;
+        this.#dropPlan();
+        const size = exports.scarp_recipe_plan_size(this.#at);
+        try {
+            this.#plan = size > 0 ? memory.allocate(size) : 0;
+        } catch {
+            // Calls are slower, and give the same.
+        }
+        if (this.#plan !== 0) {
+            this.#tools.expect(exports.scarp_recipe_plan_make(this.#at, this.#plan, size));
+        }
+        memory.view.setUint32(this.#scratch + STORE.plan, this.#plan, true);
+    }
+    #dropPlan() {
+        if (this.#plan !== 0) {
+            this.#tools.memory.release(this.#plan);
+            this.#plan = 0;
+        }
     }
 
     #span(at) {
@@ -333,6 +357,7 @@ export class Recipe {
     set seed(seed) {
         const whole = this.#tools.seedOf(seed);
         this.#tools.expect(this.#tools.exports.scarp_recipe_seed(this.#live(), whole));
+        this.#makePlan();
         this.#seed = whole;
     }
 
@@ -371,6 +396,7 @@ export class Recipe {
                 ? new ScarpError(status, otherwise, name)
                 : new RecipeError(status, '', [error]);
         }
+        this.#makePlan();
         return this;
     }
 
@@ -574,6 +600,7 @@ export class Recipe {
 
     free() {
         this.#tools.memory.release(this.#live());
+        this.#dropPlan();
         this.#at = 0;
     }
 }

@@ -4,7 +4,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { PARTS, RecipeError, load } from '../scarp.mjs';
+import { scarp_scratch as SCRATCH } from '../interface.mjs';
+import { PARTS, RecipeError, bind, load } from '../scarp.mjs';
 
 const scarp = await load({ memory: 2 ** 22 });
 
@@ -274,4 +275,47 @@ test('recipes share what calls work in, and change apart', () => {
     a.free();
     assert.deepEqual(b.grid(grid, { value: value() }).value, higher);
     b.free();
+});
+
+test('calls bring the plan of the recipe as it is', async () => {
+    const bytes = readFileSync(new URL('../scarp-simd.wasm', import.meta.url));
+    const { exports } = (await WebAssembly.instantiate(bytes)).instance;
+    const places = []; // of recipes and of the scratch structures of calls
+    const watched = Object.fromEntries(
+        ['scarp_recipe_sample', 'scarp_recipe_sample_f64', 'scarp_recipe_grid'].map((name) => [
+            name,
+            (...all) => {
+                places.push([all[0], all.at(-1)]);
+                return exports[name](...all);
+            },
+        ]),
+    );
+    const bound = bind({ ...exports, ...watched }, 2 ** 22);
+    const recipe = bound.recipe(LAND);
+    const check = () => {
+        recipe.sample2(new Float32Array(1), new Float32Array(1), { value: new Float32Array(1) });
+        recipe.sample2(new Float64Array(1), new Float64Array(1), { value: new Float32Array(1) });
+        recipe.grid({ count: [4, 3] }, { value: new Float32Array(12) });
+        assert.equal(places.length, 3);
+        for (const [at, scratch] of places.splice(0)) {
+            const plan = new DataView(exports.memory.buffer).getUint32(scratch + SCRATCH.plan, true);
+            const size = exports.scarp_recipe_plan_size(at);
+            const fresh = bound.alloc(Uint32Array, Math.ceil(size / 4));
+            assert.equal(exports.scarp_recipe_plan_make(at, fresh.byteOffset, size), 0);
+            const bytesAt = (place) => new Uint8Array(exports.memory.buffer, place, size).slice();
+            assert.ok(size > 0 && plan > 0);
+            assert.deepEqual(bytesAt(plan), bytesAt(fresh.byteOffset));
+            bound.free(fresh);
+        }
+    };
+    check();
+    recipe.seed = 7;
+    check();
+    recipe.set('finest', 50);
+    check();
+    assert.throws(() => recipe.set('height', -1));
+    recipe.scale(2, 3);
+    check();
+    recipe.free();
+    bound.alloc(Float32Array, (2 ** 22 - 128) / 4); // nothing is left behind
 });
