@@ -373,6 +373,39 @@ static void check_changes(void)
     free(recipe);
 }
 
+/* Adds "NAME = NOISE + NOISE ..." with six noises, from number `first` on, each followed by `what`. */
+static void add_sum(char *text, const char *name, int first, const char *what)
+{
+    sprintf(text + strlen(text), "%s%d = ", name, first);
+    for (int i = first; i < first + 6; i++) {
+        sprintf(text + strlen(text), "n%d%s%s", i, what, i < first + 5 ? " + " : "\n");
+    }
+}
+
+/* A point of a recipe that holds more than the stack has room for: 30 noises until their sum is
+   there, with the second derivatives that gullies need */
+static void check_large(void)
+{
+    char text[4096] = "recipe 1\n";
+    for (int i = 0; i < 30; i++) {
+        sprintf(text + strlen(text), "n%d = noise(size=30, seed=%d)\n", i, i);
+    }
+    for (int i = 0; i < 30; i += 6) {
+        add_sum(text, "s", i, "");
+    }
+    strcat(text, "s = s0 + s6 + s12 + s18 + s24\n");
+    for (int i = 0; i < 30; i += 6) {
+        add_sum(text, "p", i, " * s");
+    }
+    strcat(text, "out a = gullies(p0 + p6 + p12 + p18 + p24, size=9)\n");
+    CHECK(strcmp(said(CALL("parse", string(text))), "") == 0, "parse");
+    struct variant point = CALL("at", number(7), number(8));
+    struct variant heights = CALL("grid", integer(1), integer(1), number(7), number(8), number(1));
+    CHECK(count_of(&heights) == 1 && (double)*(const float *)data(&heights) == point.as.number,
+          "at gives %g", point.as.number);
+    variant_destroy(&heights);
+}
+
 static void check_values(const char *shader)
 {
     struct scarp_recipe *recipe = malloc(sizeof *recipe);
@@ -427,6 +460,7 @@ static void run(GDExtensionInitializationFunction entry, const char *shader)
     check_refusals();
     check_values(shader);
     check_changes();
+    check_large();
     class.info.free_instance_func(class.info.class_userdata, object.instance);
     for (int level = GDEXTENSION_MAX_INITIALIZATION_LEVEL - 1; level >= 0; level--) {
         start.deinitialize(start.userdata, (GDExtensionInitializationLevel)level);

@@ -34,6 +34,7 @@ struct self {
     uint64_t seed;
     char *text;                  /* what the recipe was made of; NULL: there is none */
     struct scarp_recipe *recipe; /* NULL until a text without an error was parsed */
+    void *plan;                  /* what calls take of it; without memory they take longer */
 };
 
 typedef const GDExtensionConstTypePtr *arguments;
@@ -48,7 +49,20 @@ void recipe_free(void *instance)
     struct self *self = instance;
     free(self->text);
     free(self->recipe);
+    free(self->plan);
     free(self);
+}
+
+/* To be called whenever the recipe has changed */
+static void make_plan(struct self *self)
+{
+    size_t size = scarp_recipe_plan_size(self->recipe);
+    free(self->plan);
+    self->plan = malloc(size);
+    if (self->plan != NULL && scarp_recipe_plan_make(self->recipe, self->plan, size) != SCARP_OK) {
+        free(self->plan);
+        self->plan = NULL;
+    }
 }
 
 static int64_t integer(GDExtensionConstTypePtr argument)
@@ -109,6 +123,7 @@ static void parse(void *instance, arguments argument, GDExtensionTypePtr result)
         struct scarp_recipe *old = self->recipe;
         self->text = text, self->recipe = recipe;
         text = old_text, recipe = old;
+        make_plan(self);
     }
     for (size_t i = 0; i < found && i < ERRORS; i++) {
         add(&message, "%sline %d, column %d: ", i > 0 ? "\n" : "", (int)errors[i].line,
@@ -130,13 +145,14 @@ static void set_seed(void *instance, arguments argument, GDExtensionTypePtr resu
     self->seed = (uint64_t)integer(argument[0]);
     if (self->recipe != NULL) {
         scarp_recipe_seed(self->recipe, self->seed);
+        make_plan(self);
     }
 }
 
 /* The result of a call that changes the recipe: "", or `what` was to be and why it is not */
-static void tell_change(GDExtensionTypePtr result, const struct self *self,
-                        enum scarp_status status, const struct scarp_recipe_error *error,
-                        const char *otherwise, const char *what, ...)
+static void tell_change(GDExtensionTypePtr result, struct self *self, enum scarp_status status,
+                        const struct scarp_recipe_error *error, const char *otherwise,
+                        const char *what, ...)
 {
     struct message message = {.length = 0};
     if (self->recipe == NULL) {
@@ -152,6 +168,8 @@ static void tell_change(GDExtensionTypePtr result, const struct self *self,
         } else {
             add(&message, "%s", otherwise);
         }
+    } else {
+        make_plan(self);
     }
     godot_set_text(result, message.text);
 }
@@ -263,7 +281,7 @@ static int read_raster(struct raster *raster, const char *method, const struct s
         .height = height,
         .which = which,
         .grid = {.origin = {x, z, 0}, .step = {step, step, 0}, .count = {(size_t)width, 0, 1}},
-        .scratch = {.memory = size > 0 ? malloc(size) : NULL, .size = size},
+        .scratch = {.memory = size > 0 ? malloc(size) : NULL, .size = size, .plan = self->plan},
     };
     return which >= 0;
 }
@@ -275,8 +293,8 @@ static int sample_rows(struct raster *raster, const char *method, const struct s
     raster->grid.first[1] = first;
     raster->grid.count[1] = (size_t)rows;
     struct scarp_recipe_outputs outputs = {.out = out, .which = &raster->which, .count = 1};
-    struct scarp_scratch *scratch = raster->scratch.memory != NULL ? &raster->scratch : NULL;
-    enum scarp_status status = scarp_recipe_grid(self->recipe, &raster->grid, &outputs, scratch);
+    enum scarp_status status =
+        scarp_recipe_grid(self->recipe, &raster->grid, &outputs, &raster->scratch);
     if (status != SCARP_OK) {
         godot_error(method, "%s", scarp_status_text(status));
     }
@@ -362,8 +380,13 @@ static void at(void *instance, arguments argument, GDExtensionTypePtr result)
     float value = NAN;
     struct scarp_samples out = {.value = &value};
     struct scarp_recipe_outputs outputs = {.out = &out, .which = &which, .count = 1};
-    if (which >= 0) {
-        scarp_recipe_sample_f64(self->recipe, 1, &x, &y, &z, &outputs, NULL);
+    struct scarp_scratch scratch = {.plan = self->plan}; /* the stack does for most recipes */
+    if (which >= 0 && scarp_recipe_sample_f64(self->recipe, 1, &x, &y, &z, &outputs, &scratch) ==
+                          SCARP_ERROR_SIZE) {
+        scratch.size = scarp_recipe_scratch_size(self->recipe, 0, 0);
+        scratch.memory = malloc(scratch.size);
+        scarp_recipe_sample_f64(self->recipe, 1, &x, &y, &z, &outputs, &scratch);
+        free(scratch.memory);
     }
     *(double *)result = (double)value;
 }
