@@ -124,6 +124,17 @@ static NOINLINE enum scarp_status evaluate_others(struct recipe_evaluation *call
     return evaluate_in(call, scratch);
 }
 
+/* Whether a call asks for the outputs of the text in their order, by number or not. */
+static int are_outputs(const struct recipe_evaluation *call)
+{
+    const struct recipe *const r = call->recipe;
+    int same = !r->is_bad && call->outputs == r->outputs;
+    for (int i = 0; same && i < r->outputs; i++) {
+        same = call->root[i] == node_of(r, r->output[i]);
+    }
+    return same;
+}
+
 static NOINLINE enum scarp_status evaluate(struct recipe_evaluation *call, const int32_t *which,
                                            const struct scarp_scratch *scratch)
 {
@@ -131,7 +142,7 @@ static NOINLINE enum scarp_status evaluate(struct recipe_evaluation *call, const
     if (status != SCARP_OK) {
         return status;
     }
-    if (which != NULL || call->outputs != call->recipe->outputs) {
+    if (!are_outputs(call)) {
         return evaluate_others(call, scratch);
     }
     call->schedule = &call->recipe->schedule;
