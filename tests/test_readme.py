@@ -43,6 +43,7 @@ LONGEST = 25
 PICTURES = {"c": ("particles",), "python": ("biomes", "scatter"), "sh": ("paving",)}
 LARGEST_FILE = 60000
 FRAGMENT = """#include <scarp.h>
+#include <stdlib.h>
 #include <string.h>
 extern struct scarp_recipe recipe;
 extern const char *wgsl;

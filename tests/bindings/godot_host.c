@@ -382,8 +382,7 @@ static void add_sum(char *text, const char *name, int first, const char *what)
     }
 }
 
-/* A point of a recipe that holds more than the stack has room for: 30 noises until their sum is
-   there, with the second derivatives that gullies need */
+/* A recipe that holds more than the stack has room for: 30 noises, for gullies with Hessians */
 static void check_large(void)
 {
     char text[4096] = "recipe 1\n";

@@ -72,9 +72,13 @@ fn recipe(repeats: usize) -> Result<(), scarp::Error> {
     let mut scratch = Scratch::new();
     let out = ffi::scarp_samples { value: other.as_mut_ptr(), ..Default::default() };
     let outputs = ffi::scarp_recipe_outputs { out: &out, count: 1, ..Default::default() };
-    let mut memory = vec![0u64; 8192];
+    let (mut memory, mut plan) = (vec![0u64; 8192], vec![0u64; 8192]);
     let (at, size) = (memory.as_mut_ptr().cast(), 8 * memory.len());
-    let room = ffi::scarp_scratch { memory: at, size, ..Default::default() };
+    let (plan_at, plan_size) = (plan.as_mut_ptr().cast(), 8 * plan.len());
+    // SAFETY: the recipe is valid, and there is room for so many bytes.
+    let status = unsafe { ffi::scarp_recipe_plan_make(alps.as_ptr(), plan_at, plan_size) };
+    assert_eq!(status, ffi::SCARP_OK);
+    let room = ffi::scarp_scratch { memory: at, size, plan: plan_at, ..Default::default() };
     let times = fastest(
         repeats,
         100,
@@ -89,7 +93,7 @@ fn recipe(repeats: usize) -> Result<(), scarp::Error> {
             assert_eq!(status, ffi::SCARP_OK)
         },
     );
-    tell("1 point of the recipe alps", times);
+    tell("1 point of the preset alps", times);
     assert_eq!(value, other);
     Ok(())
 }
