@@ -86,7 +86,7 @@ static enum scarp_status run(const struct look *l, const struct scarp_recipe_out
                              size_t size)
 {
     const struct scarp_scratch scratch = {.memory = memory, .size = size};
-    memset(memory, 0xff, sizeof memory);
+    memset(memory, l->chunk == MOST ? 0x42 : 0xff, sizeof memory); /* 48.56, and NaN */
     return l->how == GRID ? scarp_recipe_grid(&recipe, &l->grid, outputs, &scratch)
            : l->how == FLOATS
                ? scarp_recipe_sample(&recipe, l->count, float_position[0], float_position[1],
@@ -283,6 +283,7 @@ static const struct {
     {"min(clamp(n, 0.25, 0.25), x, smooth=0.5)", 0.0, 0},
     {"clamp(clamp(n, 0, 0) + x, 0, 1)", 0.0, 0},
     {"clamp(clamp(n, 1, 1) * x, 0, 1)", -0.0, 0},
+    {"clamp(clamp(n, 1, 1) * x, 0, 1)", 0.5, 0},
     {"clamp(clamp(n, 1, 1) * x, 0, 1)", -1e-40, 1},
     {"clamp(clamp(n, 1, 1) * x, 0, 1)", 1.0, 0},
     {"clamp(clamp(n, 1, 1) * x, 0, 1)", 1.0000002, 1},
@@ -319,6 +320,20 @@ static void check_borders(void)
         CHECK(check_aim != CHECK_SAME || skipped() == borders[i].skips,
               "%s at %g: %d guards, and not %d", borders[i].text, borders[i].x, skipped(),
               borders[i].skips);
+    }
+}
+
+/* One point among others at which a side is decided, where it is not. */
+static void check_inner_points(void)
+{
+    static const char text[] =
+        PLANE_2 "n4 = noise(seed=4)\na = max(n, x / 8) + min(n4 - x / 8, nm)";
+    for (size_t k = 0; parse(text) && k < WIDTH * HEIGHT && !check_enough(); k++) {
+        struct look l = {
+            .grid = {.origin = {100.0, -1.5}, .step = {0.37, 0.41}, .count = {WIDTH, HEIGHT, 1}}};
+        set_points(&l);
+        set_point(k, -100.0, 0.0, 0.0);
+        compare_all(text, &l, 0);
     }
 }
 
@@ -383,7 +398,7 @@ static void check_random_texts(int count)
         compare_all(w.text, &l, 0);
     }
     printf("%ld guards of %d random recipes leave something out\n", skips, count);
-    CHECK(check_aim != CHECK_SAME || 2 * skips >= count, "%ld of %d", skips, count);
+    CHECK(check_aim != CHECK_SAME || count < 50 || 2 * skips >= count, "%ld of %d", skips, count);
 }
 
 int main(int argc, char **argv)
@@ -396,6 +411,7 @@ int main(int argc, char **argv)
     (void)check_select_isa(argv[1]);
     check_texts();
     check_borders();
+    check_inner_points();
     check_odd_points();
     check_random_texts(atoi(argv[2]));
     return check_done();

@@ -13,12 +13,12 @@ struct set {
 
 static inline int has(const struct set *set, int n)
 {
-    return (int)(set->word[n / 64] >> n % 64 & 1);
+    return (int)(set->word[(unsigned)n / 64] >> (unsigned)n % 64 & 1);
 }
 
 static inline void put(struct set *set, int n)
 {
-    set->word[n / 64] |= UINT64_C(1) << n % 64;
+    set->word[(unsigned)n / 64] |= UINT64_C(1) << (unsigned)n % 64;
 }
 
 #endif

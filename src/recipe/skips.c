@@ -17,8 +17,8 @@
  */
 #include "skips.h"
 
-#include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "../calls/run.h"
 #include "graph.h"
@@ -31,6 +31,7 @@ typedef struct recipe_interval bounds;
 #define PLACE 0x1p64 /* nor is one of their places, so positions of all octaves are below 2^116 */
 #define VALUE 0x1p100f
 #define LANES 16
+#define FEW 16 /* points, which cost less than to decide */
 
 int scarpi_recipe_skips(int operation)
 {
@@ -195,39 +196,45 @@ static bool is_near(struct recipe_machine *m)
     return near;
 }
 
-/* The bounds of all values, or of three of them; all numbers, if one is no finite number. */
-static bounds seen(size_t count, const float *value, bool all)
+/* The bounds of values; all numbers, if one is no finite number. */
+static bounds seen(size_t count, const float *value)
 {
-    const float ends[3] = {value[0], value[count / 2], value[count - 1]};
     float lowest[LANES], highest[LANES], nothing[LANES];
+    bounds r = {value[0], value[0]};
+    float none = 0.0f; /* or NaN */
     size_t i = 0;
-    if (!all) {
-        value = ends;
-        count = 3;
-    }
-    for (int k = 0; k < LANES; k++) {
-        lowest[k] = highest[k] = value[0];
-        nothing[k] = 0.0f;
-    }
-    for (; i + LANES <= count; i += LANES) {
+    if (count >= LANES) {
         for (int k = 0; k < LANES; k++) {
-            const float v = value[i + (size_t)k];
-            lowest[k] = v < lowest[k] ? v : lowest[k];
-            highest[k] = v > highest[k] ? v : highest[k];
-            nothing[k] += v - v; /* 0, or NaN */
+            lowest[k] = highest[k] = value[k];
+            nothing[k] = 0.0f;
+        }
+        for (; i + LANES <= count; i += LANES) {
+            for (int k = 0; k < LANES; k++) {
+                const float v = value[i + (size_t)k];
+                lowest[k] = v < lowest[k] ? v : lowest[k];
+                highest[k] = v > highest[k] ? v : highest[k];
+                nothing[k] += v - v;
+            }
+        }
+        for (int k = 0; k < LANES; k++) {
+            r.lowest = lowest[k] < r.lowest ? lowest[k] : r.lowest;
+            r.highest = highest[k] > r.highest ? highest[k] : r.highest;
+            none += nothing[k];
         }
     }
     for (; i < count; i++) {
-        lowest[0] = value[i] < lowest[0] ? value[i] : lowest[0];
-        highest[0] = value[i] > highest[0] ? value[i] : highest[0];
-        nothing[0] += value[i] - value[i];
+        r.lowest = value[i] < r.lowest ? value[i] : r.lowest;
+        r.highest = value[i] > r.highest ? value[i] : r.highest;
+        none += value[i] - value[i];
     }
-    for (int k = 1; k < LANES; k++) {
-        lowest[0] = lowest[k] < lowest[0] ? lowest[k] : lowest[0];
-        highest[0] = highest[k] > highest[0] ? highest[k] : highest[0];
-        nothing[0] += nothing[k];
-    }
-    return nothing[0] == 0.0f ? (bounds){lowest[0], highest[0]} : (bounds){-INFINITY, INFINITY};
+    return none == 0.0f ? r : (bounds){-INFINITY, INFINITY};
+}
+
+/* Of three of them */
+static bounds glanced(size_t count, const float *value)
+{
+    const float some[3] = {value[0], value[count / 2], value[count - 1]};
+    return seen(3, some);
 }
 
 /* What the bounds of some nodes in a chunk follow from. */
@@ -253,6 +260,9 @@ static void look(const struct recipe_machine *m, const struct recipe_guard *g, s
 {
     int16_t by[2];
     int count = scarpi_recipe_bounded_by(m->recipe, g->gate, by);
+    memset(&v->needed, 0, sizeof v->needed);
+    memset(&v->pending, 0, sizeof v->pending);
+    v->count = 0;
     v->from = v->to = g->first;
     while (m->schedule->step[v->to] != g->gate) {
         put(&v->pending, m->schedule->step[v->to++]);
@@ -274,11 +284,11 @@ static void look(const struct recipe_machine *m, const struct recipe_guard *g, s
 static void find_bounds(const struct recipe_machine *m, const struct view *v, bool all,
                         bounds of[RECIPE_NODES])
 {
+    const size_t count = m->chunk->count;
     for (int i = 0; i < v->count; i++) {
         const int node = v->known[i];
-        of[node] = m->recipe->node[node].operation == OP_CONSTANT
-                       ? m->recipe->node[node].interval
-                       : seen(m->chunk->count, scarpi_recipe_samples(m, node).value, all);
+        const float *const value = scarpi_recipe_samples(m, node).value;
+        of[node] = all ? seen(count, value) : glanced(count, value);
     }
     for (int k = v->from; k < v->to; k++) {
         const int node = m->schedule->step[k];
@@ -297,7 +307,7 @@ static NOINLINE int decide(const struct recipe_machine *m, const struct recipe_g
     const int operand = gate->in[g->operand];
     const int kept = scarpi_recipe_skips(gate->operation) == 2 ? gate->in[!g->operand] : operand;
     bounds of[RECIPE_NODES];
-    struct view v = {.count = 0};
+    struct view v;
     look(m, g, &v);
     int side = GUARD_ABOVE;
     for (int all = 0; all < 2 && side != GUARD_OPEN; all++) { /* three points mostly say no */
@@ -311,7 +321,8 @@ int scarpi_recipe_decide(struct recipe_machine *m, int guard)
 {
     const struct recipe_guard *const g = &m->schedule->guard[guard];
     const int operation = m->recipe->node[g->gate].operation;
-    if (operation != OP_MIN && operation != OP_MAX && m->order_of[g->gate] > 0) {
+    const bool keeps_slopes = operation == OP_MIN || operation == OP_MAX;
+    if (m->chunk->count < FEW || (m->order_of[g->gate] > 0 && !keeps_slopes)) {
         return GUARD_OPEN;
     }
     for (int i = 1; i <= m->schedule->guards; i++) { /* one operand stays */

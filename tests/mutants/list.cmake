@@ -13,7 +13,7 @@
 #            noise from those of the scalar kernels, or from samples and warps), plan (those of kept
 #            plans from those without), grid (results of grids from those of points), large (the same, only large
 #            grids), golden (hashes from golden.txt), recipe_bits (recipes on grids from those at points, and
-#            hashes from recipes.txt), or crash
+#            hashes from recipes.txt), recipe_skips (recipes with skips from those without), or crash
 #            (the library crashes in the one call where only that shows it; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
@@ -480,5 +480,26 @@ mutant(recipe.piece IN recipe TEXT [[piece.first[1] += (int64_t)row;]]
        BECOMES [[piece.first[1] += MUTANT ? 0 : (int64_t)row;]] SEEN_BY recipe_bits SETS scalar)
 mutant(recipe.shared IN recipe TEXT [[a->index == b->index]]
        BECOMES [[(MUTANT || a->index == b->index)]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.skips_strict IN recipe TEXT [[operand.highest < kept.lowest ?]]
+       BECOMES [[(MUTANT ? operand.highest <= kept.lowest : operand.highest < kept.lowest) ?]]
+       SEEN_BY recipe_skips SETS scalar)
+mutant(recipe.skips_clamp IN recipe TEXT [[operand.highest < n->k[0]  ? GUARD_BELOW]]
+       BECOMES [[operand.highest < n->k[MUTANT ? 1 : 0] ? GUARD_BELOW]] SEEN_BY recipe_skips SETS scalar)
+mutant(recipe.skips_width IN recipe TEXT [[return 1.0f - (greater - lesser) * (1.0f / k) <= 0.0f;]]
+       BECOMES [[return MUTANT ? lesser < greater : 1.0f - (greater - lesser) * (1.0f / k) <= 0.0f;]]
+       SEEN_BY recipe_skips SETS scalar)
+mutant(recipe.skips_near IN recipe TEXT [[m->state[0] = is_near(m) ?]]
+       BECOMES [[m->state[0] = MUTANT || is_near(m) ?]] SEEN_BY recipe_skips SETS scalar)
+mutant(recipe.skips_safe IN recipe TEXT [[is_safe = is_safe && has(safe, reads[i]);]]
+       BECOMES [[is_safe = is_safe && (MUTANT || has(safe, reads[i]));]] SEEN_BY recipe_skips SETS scalar)
+mutant(recipe.skips_slopes IN recipe TEXT [[(m->order_of[g->gate] > 0 && !keeps_slopes)]]
+       BECOMES [[(m->order_of[g->gate] > 0 && !keeps_slopes && !MUTANT)]]
+       SEEN_BY recipe_skips SETS scalar)
+mutant(recipe.skips_all IN recipe TEXT [[of[node] = all ? seen(count, value) : glanced(count, value);]]
+       BECOMES [[of[node] = all && !MUTANT ? seen(count, value) : glanced(count, value);]]
+       SEEN_BY recipe_skips SETS scalar)
+mutant(recipe.skips_one IN recipe TEXT [[m->schedule->guard[i].gate == g->gate && m->state[i] > GUARD_OPEN]]
+       BECOMES [[m->schedule->guard[i].gate == g->gate && m->state[i] > GUARD_OPEN && !MUTANT]]
+       SEEN_BY recipe_skips SETS scalar)
 mutant(partials.curve IN calls TEXT [[2.0f * (s / (s + t)) * t]]
        BECOMES [[(MUTANT ? 0.5f * (s + t) : 2.0f * (s / (s + t)) * t)]] SEEN_BY recipe_bits SETS scalar)
