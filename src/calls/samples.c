@@ -3,7 +3,6 @@
  * The public functions that give samples of a noise, at points and on grids. They check the
  * arguments, find the plan and call the active kernel table.
  */
-#include <string.h>
 
 #include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"

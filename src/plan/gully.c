@@ -6,7 +6,6 @@
 #include "gully.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
 #include "parameters.h"

@@ -118,7 +118,6 @@ bool scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
 struct recipe_value scarpi_recipe_call(struct recipe_compiler *c, int call, int place);
 
 /* members.c: noises and gullies, from the arguments of their calls. */
-uint64_t scarpi_recipe_seed_of(uint64_t world, double number);
 /* A noise with the words of a call, and all else as it is without arguments. */
 void scarpi_recipe_start_noise(const struct recipe_compiler *c,
                                const int16_t argument[RECIPE_ARGUMENTS], struct scarp_noise *noise);

@@ -5,7 +5,6 @@
 #include "interval.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "combine.h"
 #include "graph.h"

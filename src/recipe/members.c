@@ -18,7 +18,7 @@ static uint64_t splitmix(uint64_t start, uint64_t number)
 
 /* Numbers up to 63 belong to octaves, warps and curls. Those of negative seeds come from the other
    end: 64 more would make numbers from 0 to 63 of -64 to -1. */
-uint64_t scarpi_recipe_seed_of(uint64_t world, double number)
+static uint64_t seed_of(uint64_t world, double number)
 {
     const uint64_t whole = (uint64_t)(int64_t)number;
     return number == 0.0 ? world : splitmix(splitmix(world, 1), number < 0.0 ? whole : 64 + whole);
@@ -30,7 +30,7 @@ static bool set_seed(struct recipe_compiler *c, int e, double number, uint64_t *
         scarpi_recipe_bad(c, e, "a seed must be a whole number of magnitude below 2^53", NULL);
         return false;
     }
-    *seed = scarpi_recipe_seed_of(c->recipe->seed, number);
+    *seed = seed_of(c->recipe->seed, number);
     return true;
 }
 

@@ -3,7 +3,6 @@
 import os
 import re
 import struct
-import subprocess
 
 import common
 from common import FRACTALS, ROOT, SMALL, Case, has_threads, run, text_of

@@ -3,7 +3,7 @@
 import re
 import subprocess
 
-from playground import PLACE, PROGRAM, Playground, hash_of, hillshade_of, main
+from playground import PLACE, PROGRAM, Playground, hash_of, main
 
 
 class Use(Playground):

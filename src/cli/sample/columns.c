@@ -7,7 +7,6 @@
 #include "sample/columns.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "shared/error.h"
 

@@ -6,7 +6,6 @@
 
 #include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "shared/interrupt.h"
 #include "shared/posix.h"
@@ -43,46 +42,18 @@ static void take_stripe(uint64_t lane[4], const uint8_t *bytes)
     }
 }
 
-void hash_begin(struct hash *hash)
+/* The sum of `length` bytes, whose whole stripes the lanes have taken; the rest is at `from`. */
+static uint64_t finish(const uint64_t lane[4], uint64_t length, const uint8_t *from)
 {
-    *hash = (struct hash){.lane = {p1 + p2, p2, 0, 0 - p1}};
-}
-
-void hash_add(struct hash *hash, const void *bytes, size_t count)
-{
-    const uint8_t *from = bytes;
-    const size_t held = (size_t)(hash->length % STRIPE);
-    const size_t missing = held == 0 ? 0 : STRIPE - held;
-    hash->length += count;
-    if (count < missing) {
-        memcpy(hash->held + held, from, count);
-        return;
-    }
-    if (missing > 0) {
-        memcpy(hash->held + held, from, missing);
-        take_stripe(hash->lane, hash->held);
-        from += missing;
-        count -= missing;
-    }
-    for (; count >= STRIPE; from += STRIPE, count -= STRIPE) {
-        take_stripe(hash->lane, from);
-    }
-    memcpy(hash->held, from, count);
-}
-
-uint64_t hash_end(const struct hash *hash)
-{
-    const uint64_t *const lane = hash->lane;
-    const uint8_t *from = hash->held;
-    size_t left = (size_t)(hash->length % STRIPE);
+    size_t left = (size_t)(length % STRIPE);
     uint64_t sum = lane[2] + p5;
-    if (hash->length >= STRIPE) {
+    if (length >= STRIPE) {
         sum = turn(lane[0], 1) + turn(lane[1], 7) + turn(lane[2], 12) + turn(lane[3], 18);
         for (int i = 0; i < 4; i++) {
             sum = (sum ^ take(0, lane[i])) * p1 + p4;
         }
     }
-    sum += hash->length;
+    sum += length;
     for (; left >= 8; left -= 8, from += 8) {
         sum = turn(sum ^ take(0, get(from, 8)), 27) * p1 + p4;
     }
@@ -102,24 +73,27 @@ uint64_t hash_end(const struct hash *hash)
 
 bool hash_file(const char *path, uint64_t *sum)
 {
-    struct hash hash;
-    uint8_t bytes[16384];
-    size_t count;
+    uint64_t lane[4] = {p1 + p2, p2, 0, 0 - p1}, length = 0;
+    uint8_t bytes[512 * STRIPE];
+    size_t count, taken;
     errno = 0;
     FILE *const file = fopen(path, "rb");
     if (file == NULL) {
         return false;
     }
     bool is_stopped = false;
-    hash_begin(&hash);
-    while (!is_stopped && (count = fread(bytes, 1, sizeof bytes, file)) > 0) {
-        hash_add(&hash, bytes, count);
-        is_stopped = hash.length % PATIENCE == 0 && interrupted();
-    }
+    do {
+        count = fread(bytes, 1, sizeof bytes, file);
+        length += count;
+        for (taken = 0; taken + STRIPE <= count; taken += STRIPE) {
+            take_stripe(lane, bytes + taken);
+        }
+        is_stopped = count > 0 && length % PATIENCE == 0 && interrupted();
+    } while (count == sizeof bytes && !is_stopped);
     const bool is_read = ferror(file) == 0 && !is_stopped;
     const int reason = is_stopped ? EINTR : errno;
     fclose(file);
     errno = reason;
-    *sum = hash_end(&hash);
+    *sum = finish(lane, length, bytes + taken);
     return is_read;
 }

@@ -5,7 +5,6 @@
 #include "terrain/products.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -147,7 +146,7 @@ bool products_add_stem(struct products *products, const char *stem, bool compare
     return true;
 }
 
-bool products_to_standard_output(const struct products *products)
+static bool to_standard_output(const struct products *products)
 {
     for (size_t i = 0; i < products->count; i++) {
         if (strcmp(products->list[i].path, "-") == 0) {
@@ -179,7 +178,7 @@ unsigned products_needs(const struct products *products)
 
 bool products_check(const struct products *products, const struct tiling *tiling)
 {
-    if (tiling->numbered && products_to_standard_output(products)) {
+    if (tiling->numbered && to_standard_output(products)) {
         cli_error("--tile: tiles cannot go to standard output, only to files");
         return false;
     }

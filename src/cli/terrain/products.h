@@ -52,7 +52,6 @@ bool products_add_masks(struct products *products, const char *stem);
 /* Adds STEM-height, STEM-normal, STEM-hillshade and STEM-relief, and STEM-compare if `compare`. */
 bool products_add_stem(struct products *products, const char *stem, bool compare);
 
-bool products_to_standard_output(const struct products *products);
 bool products_are_files(const struct products *products); /* no pipe, device or standard output */
 unsigned products_needs(const struct products *products);
 
