@@ -64,10 +64,7 @@ void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work)
 
 #define CACHE_LINE 64
 
-/* Makes an array that begins with a cache line (not on Windows), by which large grids gain. It is
-   zeroed, so that its pages exist before anything is timed, and never empty, so that NULL always
-   means an error. */
-static void *make_array(size_t count, size_t element)
+void *bench_array_make(size_t count, size_t element)
 {
     const size_t size = (count * element / CACHE_LINE + 1) * CACHE_LINE;
 #ifdef _WIN32
@@ -87,14 +84,14 @@ int bench_arrays_make(struct bench_arrays *arrays, const struct bench_sizes *siz
     int complete = 1;
     for (int d = 0; d < 3; d++) {
         for (int pattern = 0; pattern < 3; pattern++) {
-            arrays->points[pattern][d] = make_array(sizes->points, sizeof(float));
+            arrays->points[pattern][d] = bench_array_make(sizes->points, sizeof(float));
             complete &= arrays->points[pattern][d] != NULL;
         }
-        arrays->points_f64[d] = make_array(sizes->points, sizeof(double));
+        arrays->points_f64[d] = bench_array_make(sizes->points, sizeof(double));
         complete &= arrays->points_f64[d] != NULL;
     }
     for (int i = 0; i < 10; i++) {
-        arrays->outputs[i] = make_array(sizes->outputs[i], sizeof(float));
+        arrays->outputs[i] = bench_array_make(sizes->outputs[i], sizeof(float));
         complete &= arrays->outputs[i] != NULL;
     }
     if (complete) {
@@ -142,7 +139,7 @@ const struct bench_coordinates *bench_arrays_samples(struct bench_arrays *arrays
         }
     }
     struct bench_coordinates *const made = malloc(sizeof *made);
-    double *const doubles = make_array(3 * work->points, sizeof *doubles);
+    double *const doubles = bench_array_make(3 * work->points, sizeof *doubles);
     if (made == NULL || doubles == NULL) {
         free(made);
         free(doubles);

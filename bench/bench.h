@@ -27,6 +27,7 @@ void bench_error(const char *format, ...);
 struct bench_row {
     char work[BENCH_NAME_SIZE], library[32], isa[16];
     char note[40]; /* empty, or how the result came about */
+    char way[24];  /* empty, or which way of several was the fastest, and was measured */
     size_t points;
     double median, minimum; /* nanoseconds per point */
     double spread;          /* distance of the quartiles over the median */

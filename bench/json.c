@@ -34,6 +34,10 @@ static void write_row(FILE *file, const struct bench_row *row)
         fprintf(file, ",");
         write_string(file, "note", row->note, "");
     }
+    if (row->way[0] != '\0') {
+        fprintf(file, ",");
+        write_string(file, "way", row->way, "");
+    }
     fprintf(file, "}");
 }
 
@@ -152,6 +156,7 @@ static int read_row(struct reader *in, struct bench_row *row)
                                    {"isa", row->isa, sizeof row->isa, NULL},
                                    {"library", row->library, sizeof row->library, NULL},
                                    {"note", row->note, sizeof row->note, NULL},
+                                   {"way", row->way, sizeof row->way, NULL},
                                    {"points", NULL, 0, &points},
                                    {"ns_per_point", NULL, 0, &row->median},
                                    {"fastest_ns_per_point", NULL, 0, &row->minimum},

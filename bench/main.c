@@ -12,6 +12,7 @@
 #include "measure.h"
 #include "options.h"
 #include "peer.h"
+#include "recipes.h"
 #include "report.h"
 #include "scarp.h"
 #include "subject.h"
@@ -62,11 +63,13 @@ static int is_selected(const struct bench_options *options, const struct bench_w
 
 /* Adds the workload by scarp (peer NULL) or a peer, with every wanted instruction set that can. */
 static int add_subjects(struct selection *selection, const struct bench_options *options,
-                        const struct bench_work *work, const struct bench_peer *peer)
+                        const struct bench_work *work, const struct bench_peer *peer,
+                        size_t scratch)
 {
     for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++) {
         struct bench_subject subject;
-        if (!(options->isas >> isa & 1) || !bench_subject_make(&subject, work, peer, isa)) {
+        if (!(options->isas >> isa & 1) ||
+            !bench_subject_make(&subject, work, peer, isa, scratch)) {
             continue;
         }
         const size_t size = (selection->count + 1) * sizeof *selection->subjects;
@@ -79,6 +82,22 @@ static int add_subjects(struct selection *selection, const struct bench_options 
         selection->subjects = subjects;
     }
     return BENCH_SUCCESS;
+}
+
+/* Adds the workload by scarp, recipes with all sizes of scratch memory, and by all peers. */
+static int add_work(struct selection *selection, const struct bench_options *options,
+                    const struct bench_work *work)
+{
+    const int is_recipe = work->layout == BENCH_RECIPE || work->layout == BENCH_RECIPE_GRID;
+    int status = add_subjects(selection, options, work, NULL, BENCH_BEST_SCRATCH);
+    for (int i = 0; status == BENCH_SUCCESS && is_recipe && i < options->scratch_count; i++) {
+        status = add_subjects(selection, options, work, NULL, options->scratch[i]);
+    }
+    for (size_t p = 0; status == BENCH_SUCCESS && options->peers && bench_peer_get(p) != NULL;
+         p++) {
+        status = add_subjects(selection, options, work, bench_peer_get(p), BENCH_BEST_SCRATCH);
+    }
+    return status;
 }
 
 /* Checks that every part of --work names something that can be measured. */
@@ -113,12 +132,7 @@ static int select_subjects(struct selection *selection, const struct bench_optio
         if (!is_selected(options, &work)) {
             continue;
         }
-        int status = add_subjects(selection, options, &work, NULL);
-        for (size_t p = 0; options->peers && bench_peer_get(p) != NULL; p++) {
-            if (status == BENCH_SUCCESS) {
-                status = add_subjects(selection, options, &work, bench_peer_get(p));
-            }
-        }
+        const int status = add_work(selection, options, &work);
         if (status != BENCH_SUCCESS) {
             return status;
         }
@@ -170,6 +184,15 @@ static void describe(struct bench_report *report, const struct bench_options *op
     report->repeat = options->repeat;
 }
 
+static void write_row_name(struct bench_row *row, const struct bench_subject *subject)
+{
+    snprintf(row->work, sizeof row->work, "%s", subject->work.name);
+    if (subject->scratch != BENCH_BEST_SCRATCH) {
+        const size_t length = strlen(row->work);
+        snprintf(row->work + length, sizeof row->work - length, "/scratch=%zu", subject->scratch);
+    }
+}
+
 static int prepare(struct selection *selection, struct bench_report *report)
 {
     struct bench_sizes sizes = {.points = 0};
@@ -196,7 +219,7 @@ static int prepare(struct selection *selection, struct bench_report *report)
         }
         subject->samples = selection->samples + i * repeat;
         subject->row = row;
-        snprintf(row->work, sizeof row->work, "%s", subject->work.name);
+        write_row_name(row, subject);
         snprintf(row->library, sizeof row->library, "%s",
                  subject->peer != NULL ? subject->peer->library : "scarp");
         snprintf(row->isa, sizeof row->isa, "%s", scarp_isa_name(subject->isa));

@@ -52,13 +52,13 @@ void bench_work_write_name(struct bench_work *work)
                  work->points);
         return;
     }
-    if (work->layout == BENCH_RECIPE_GRID) {
-        snprintf(work->name, sizeof work->name, "%s%d/%s/%s/%zu", layout_names[work->layout],
-                 work->dimensions, work->title, output_names[work->output], work->grid[0]);
-        return;
-    }
     char fade[16] = "", fractal[32] = "", title[32] = "", size[72] = "", period[24] = "", edges[32];
     write_edges(edges, sizeof edges, work);
+    if (work->layout == BENCH_RECIPE_GRID) {
+        snprintf(work->name, sizeof work->name, "%s%d/%s/%s/%s", layout_names[work->layout],
+                 work->dimensions, work->title, output_names[work->output], edges);
+        return;
+    }
     if (work->fade != SCARP_QUINTIC) {
         snprintf(fade, sizeof fade, "/%s", scarp_fade_name(work->fade));
     }

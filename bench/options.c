@@ -127,6 +127,29 @@ static int parse_isas(const struct option *option, const char *text, void *field
     return 1;
 }
 
+/* Takes bytes between commas. */
+static int parse_scratch(const struct option *option, const char *text, void *field)
+{
+    struct bench_options *const options = field;
+    char part[64];
+    if (!parse_list(option, text, &(const char *){NULL})) {
+        return 0;
+    }
+    options->scratch_count = 0;
+    while (bench_next_part(&text, part, sizeof part)) {
+        int bytes;
+        if (options->scratch_count == BENCH_MOST_SCRATCH) {
+            refuse(option, part);
+            return 0;
+        }
+        if (!parse_count(option, part, &bytes)) {
+            return 0;
+        }
+        options->scratch[options->scratch_count++] = (size_t)bytes;
+    }
+    return 1;
+}
+
 #define FIELD(name) offsetof(struct bench_options, name)
 
 static const struct option options_known[] = {
@@ -144,6 +167,10 @@ static const struct option options_known[] = {
      1e-6, 3600},
     {"--repeat", "N", "a count from 1 to 1000", "interleaved repeats of all rows [11]", parse_count,
      FIELD(repeat), 1, 1000},
+    {"--scratch", "LIST", "a list of at most 8 counts up to 1073741824",
+     "also measure recipes with so many bytes of scratch memory, between\n"
+     "commas, besides the size that is best",
+     parse_scratch, 0, 0, 1 << 30},
     {"--json", "FILE", "the name of a file", "write the results as JSON; - is standard output",
      parse_text, FIELD(json), 0, 0},
     {"--svg", "FILE", "the name of a file", "write the results as a chart", parse_text, FIELD(svg),

@@ -7,11 +7,15 @@
 
 #include <stddef.h>
 
+#define BENCH_MOST_SCRATCH 8
+
 struct bench_options {
     const char *work; /* patterns between commas; NULL: everything */
     unsigned isas;    /* a bit for each enum scarp_isa */
     double min_time;
     int repeat;
+    size_t scratch[BENCH_MOST_SCRATCH]; /* further sizes of the scratch memory of recipes */
+    int scratch_count;
     int peers, list, markdown, quiet; /* flags */
     const char *json, *svg;           /* files to write, or NULL */
     const char *from;                 /* files to read, between commas, or NULL */

@@ -37,6 +37,11 @@ struct bench_peer {
        as the workload says. NULL if the peer has none. */
     void (*recipe)(void *state, const struct bench_work *work, const void *const x[3],
                    const struct scarp_samples *out);
+
+    /* Tries the ways in which it can evaluate the recipe, as `recipe` has it, and takes the fastest
+       from then on. Returns the name of that, or NULL without memory. NULL if there is one way. */
+    const char *(*choose)(void *state, const struct bench_work *work, const void *const x[3],
+                          const struct scarp_samples *out);
 };
 
 /* The peer number `index`, counted from 0; NULL when there are no more */

@@ -1,37 +1,293 @@
 /* SPDX-License-Identifier: MIT
  *
- * The peer "by hand": the recipes as programs write them that know no recipes, by the same calls of
- * scarp. Work goes through in chunks of 1,024 points, and grids in pieces of 64 columns, as
- * recipes do; results lie in the caller's arrays at the end.
+ * The peer "by hand": the ways of taking points through the recipes of hand_recipes.c. Which is the
+ * fastest depends on the recipe, the grid and the caches, so all are tried before anything is
+ * measured.
  */
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "arrays.h"
+#include "bench.h"
+#include "hand.h"
 #include "peer.h"
 #include "recipes.h"
 
-enum { CHUNK = 1024, COLUMNS = 64, REGISTERS = 6, MEMBERS = 4 };
+enum { PIECE = 1024, COLUMNS = 64, MEMBERS = 4, WAYS = 8 };
 
-struct hand {
-    void (*compute)(struct hand *hand);
-    /* Of the chunk: */
-    int dimensions, has_gradient, is_double;
-    size_t count;
-    const void *x[3];
-    const struct scarp_grid *grid; /* NULL: points */
-    float memory[REGISTERS][MEMBERS][CHUNK];
+#define TRIAL_SECONDS 0.1 /* for all ways together */
+#define TRIALS 7
+
+/* Arrays begin with a cache line, each at another place of a page. */
+#define LINE 16 /* floats */
+#define PAD (5 * LINE)
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* How much of a workload goes through the recipe at once: points are columns. */
+struct cut {
+    size_t count[3];
 };
 
-/* Number `i` of the registers; the result is in number 0. */
-static struct scarp_samples in(struct hand *h, int i)
+static struct cut whole_of(const struct bench_work *work)
 {
-    struct scarp_samples s = {.value = h->memory[i][0]};
-    if (h->has_gradient) {
-        s.dx = h->memory[i][1];
-        s.dy = h->memory[i][2];
-        s.dz = h->dimensions == 3 ? h->memory[i][3] : NULL;
+    struct cut whole = {{work->points, 1, 1}};
+    if (work->layout == BENCH_RECIPE_GRID) {
+        memcpy(whole.count, work->grid, sizeof whole.count);
+    }
+    return whole;
+}
+
+/* Whole rows, and if all rows fit in, whole slices, or else points; of at most so many points if
+   that is possible. */
+static struct cut band_of(const struct bench_work *work, size_t points)
+{
+    struct cut c = whole_of(work);
+    if (work->layout == BENCH_RECIPE) {
+        c.count[0] = least(c.count[0], points);
+        return c;
+    }
+    const size_t rows = points / c.count[0], slices = rows / c.count[1];
+    c.count[1] = least(c.count[1], rows > 0 ? rows : 1);
+    c.count[2] = least(c.count[2], slices > 0 ? slices : 1);
+    return c;
+}
+
+static struct cut piece_of(const struct bench_work *work)
+{
+    struct cut c = whole_of(work);
+    const size_t most[3] = {COLUMNS, work->dimensions == 3 ? 4 : PIECE / COLUMNS,
+                            work->dimensions == 3 ? PIECE / COLUMNS / 4 : 1};
+    for (int d = 0; d < 3; d++) {
+        c.count[d] = least(c.count[d], most[d]);
+    }
+    return c;
+}
+
+/* Finds way number `way`, among those that differ; *points is about how many go through at once.
+   Returns 0 if there are no more. */
+static int find_cut(const struct bench_work *work, int way, struct cut *cut, size_t *points)
+{
+    static const size_t bands[] = {1024, 4096, 16384, 65536};
+    const struct cut whole = whole_of(work);
+    struct cut last = whole;
+    *cut = whole;
+    *points = work->points;
+    if (way-- == 0) {
+        return 1;
+    }
+    for (size_t i = 0; i < sizeof bands / sizeof bands[0]; i++) {
+        *cut = band_of(work, bands[i]);
+        *points = bands[i];
+        const int is_new = memcmp(cut, &whole, sizeof *cut) != 0 &&
+                           (i == 0 || memcmp(cut, &last, sizeof *cut) != 0);
+        last = *cut;
+        if (is_new && way-- == 0) {
+            return 1;
+        }
+    }
+    *cut = piece_of(work);
+    *points = PIECE;
+    return way == 0 && work->layout == BENCH_RECIPE_GRID && cut->count[0] < whole.count[0];
+}
+
+int bench_hand_way(const struct bench_work *work, int way, char *name, size_t size)
+{
+    struct cut cut;
+    size_t points;
+    if (!find_cut(work, way, &cut, &points)) {
+        return 0;
+    }
+    if (way == 0) {
+        snprintf(name, size, "whole");
+    } else {
+        const int is_piece = work->layout == BENCH_RECIPE_GRID && cut.count[0] < work->grid[0];
+        snprintf(name, size, "%s of %zu",
+                 is_piece                            ? "pieces"
+                 : work->layout == BENCH_RECIPE_GRID ? "bands"
+                                                     : "chunks",
+                 points);
+    }
+    return 1;
+}
+
+static size_t stride_of(size_t points)
+{
+    return (points + LINE - 1) / LINE * LINE + PAD;
+}
+
+/* Samples whose arrays begin at `start` */
+static struct scarp_samples samples_at(float *start, size_t stride, int has_gradient, int in_space)
+{
+    struct scarp_samples s = {.value = start};
+    if (has_gradient) {
+        s.dx = start + stride;
+        s.dy = start + 2 * stride;
+        s.dz = in_space ? start + 3 * stride : NULL;
     }
     return s;
+}
+
+static size_t points_of(const struct cut *cut)
+{
+    return cut->count[0] * cut->count[1] * cut->count[2];
+}
+
+/* What is computed of the plane is computed for the whole grid, or for the points at hand. */
+static size_t plane_points_of(const struct bench_work *work, const struct cut *cut)
+{
+    return work->layout == BENCH_RECIPE_GRID ? work->grid[0] * work->grid[1] : points_of(cut);
+}
+
+static size_t floats_for(const struct hand *h, const struct bench_work *work, const struct cut *cut)
+{
+    return ((size_t)h->recipe->registers * stride_of(points_of(cut)) +
+            HAND_PLANES * stride_of(plane_points_of(work, cut))) *
+           MEMBERS;
+}
+
+/* Has memory for a way. Returns 0 without. */
+static int reserve(struct hand *h, const struct bench_work *work, const struct cut *cut)
+{
+    const size_t floats = floats_for(h, work, cut);
+    if (h->floats < floats) {
+        free(h->memory);
+        h->memory = bench_array_make(floats, sizeof *h->memory);
+        h->floats = h->memory != NULL ? floats : 0;
+    }
+    return h->memory != NULL;
+}
+
+static void divide(struct hand *h, const struct bench_work *work, const struct cut *cut)
+{
+    const size_t stride = stride_of(points_of(cut));
+    const size_t plane_stride = stride_of(plane_points_of(work, cut));
+    float *at = h->memory;
+    for (int i = 0; i < h->recipe->registers; i++, at += MEMBERS * stride) {
+        h->own[i] = samples_at(at, stride, h->has_gradient, work->dimensions == 3);
+    }
+    for (int i = 0; i < HAND_PLANES; i++, at += MEMBERS * plane_stride) {
+        h->plane[i] = samples_at(at, plane_stride, h->has_gradient, 0);
+    }
+}
+
+static float *member(const struct scarp_samples *out, int i)
+{
+    return i == 0 ? out->value : i == 1 ? out->dx : i == 2 ? out->dy : out->dz;
+}
+
+/* The arrays of the caller from number `from` on */
+static struct scarp_samples behind(const struct scarp_samples *out, size_t from)
+{
+    return (struct scarp_samples){.value = out->value + from,
+                                  .dx = out->dx != NULL ? out->dx + from : NULL,
+                                  .dy = out->dy != NULL ? out->dy + from : NULL,
+                                  .dz = out->dz != NULL ? out->dz + from : NULL};
+}
+
+/* Computes what depends on x and y alone, for the points that there are. */
+static void run_plane(struct hand *h)
+{
+    memcpy(h->at, h->plane, sizeof h->plane);
+    h->dimensions = 2;
+    h->recipe->compute_plane(h);
+}
+
+/* Results lie in the caller's arrays without having been copied. */
+static void run_points(struct hand *h, const struct bench_work *work, const struct cut *cut,
+                       const void *const x[3], const struct scarp_samples *out)
+{
+    const size_t bytes = work->f64 ? sizeof(double) : sizeof(float);
+    h->grid = NULL;
+    h->is_double = work->f64;
+    for (size_t from = 0; from < work->points; from += cut->count[0]) {
+        h->count = least(work->points - from, cut->count[0]);
+        for (int d = 0; d < work->dimensions; d++) {
+            h->x[d] = (const char *)x[d] + from * bytes;
+        }
+        if (h->recipe->compute_plane != NULL) {
+            run_plane(h);
+        }
+        memcpy(h->at, h->own, sizeof h->at);
+        h->at[0] = behind(out, from);
+        h->dimensions = work->dimensions;
+        h->recipe->compute(h);
+    }
+}
+
+/* A part of a grid. The caller's rows are not next to each other in pieces, so these are copied. */
+static void run_part(struct hand *h, const struct scarp_grid *whole, const struct scarp_grid *part,
+                     const struct scarp_samples *out)
+{
+    const size_t width = part->count[0], rows = part->count[1] * part->count[2];
+    const int is_band = width == whole->count[0];
+    const size_t from =
+        ((size_t)part->first[2] * whole->count[1] + (size_t)part->first[1]) * whole->count[0] +
+        (size_t)part->first[0];
+    h->grid = part;
+    h->count = width * rows;
+    memcpy(h->at, h->own, sizeof h->at);
+    if (is_band) {
+        h->at[0] = behind(out, from);
+    }
+    h->recipe->compute(h);
+    for (int i = 0; i < MEMBERS && !is_band; i++) {
+        const float *source = member(&h->own[0], i);
+        for (size_t row = 0; source != NULL && row < rows; row++, source += width) {
+            const size_t y = row % part->count[1], z = row / part->count[1];
+            memcpy(member(out, i) + from + (z * whole->count[1] + y) * whole->count[0], source,
+                   width * sizeof *source);
+        }
+    }
+}
+
+static void run_grid(struct hand *h, const struct bench_work *work, const struct cut *cut,
+                     const struct scarp_samples *out)
+{
+    const struct scarp_grid whole = bench_work_grid(work);
+    struct scarp_grid part = whole;
+    if (h->recipe->compute_plane != NULL) {
+        h->grid = &whole;
+        h->count = whole.count[0] * whole.count[1];
+        h->plane_width = whole.count[0];
+        run_plane(h);
+    }
+    h->dimensions = work->dimensions;
+    for (size_t k = 0; k < whole.count[2]; k += cut->count[2]) {
+        for (size_t j = 0; j < whole.count[1]; j += cut->count[1]) {
+            for (size_t i = 0; i < whole.count[0]; i += cut->count[0]) {
+                const size_t from[3] = {i, j, k};
+                for (int d = 0; d < 3; d++) {
+                    part.first[d] = (int64_t)from[d];
+                    part.count[d] = least(whole.count[d] - from[d], cut->count[d]);
+                }
+                run_part(h, &whole, &part, out);
+            }
+        }
+    }
+}
+
+int bench_hand_run(struct hand *h, int way, const struct bench_work *work, const void *const x[3],
+                   const struct scarp_samples *out)
+{
+    struct cut cut;
+    size_t points;
+    h->has_gradient = out->dx != NULL;
+    if (!find_cut(work, way, &cut, &points) || !reserve(h, work, &cut)) {
+        return 0;
+    }
+    divide(h, work, &cut);
+    if (work->layout == BENCH_RECIPE) {
+        run_points(h, work, &cut, x, out);
+    } else {
+        run_grid(h, work, &cut, out);
+    }
+    return 1;
 }
 
 static uint64_t splitmix(uint64_t start, uint64_t number)
@@ -48,376 +304,107 @@ static uint64_t seed(uint64_t n)
     return n == 0 ? 0 : splitmix(splitmix(0, 1), 64 + n);
 }
 
-static void sample(struct hand *h, const struct scarp_noise *noise, int to)
+/* Makes the plans of the noises. Those that only bend others come last. */
+static int make_plans(struct hand *h, const struct bench_work *work)
 {
-    const struct scarp_samples out = in(h, to);
-    if (h->grid != NULL) {
-        (void)(h->dimensions == 2 ? scarp_grid2(noise, h->grid, &out)
-                                  : scarp_grid3(noise, h->grid, &out));
-    } else if (h->is_double) {
-        scarp_sample2_f64(noise, h->count, h->x[0], h->x[1], &out);
-    } else {
-        scarp_sample2(noise, h->count, h->x[0], h->x[1], &out);
+    const struct hand_recipe *const r = h->recipe;
+    h->plans = calloc((size_t)r->noise_count, sizeof *h->plans);
+    for (int i = 0; h->plans != NULL && i < r->noise_count; i++) {
+        struct scarp_noise *const noise = &h->noise[i];
+        const int dimensions = i < r->plane_noises ? 2 : work->dimensions;
+        const enum scarp_status status =
+            i < r->noise_count - r->warps ? scarp_plan_make(noise, dimensions, &h->plans[i])
+                                          : scarp_vector_plan_make(noise, dimensions, &h->plans[i]);
+        noise->plan = status == SCARP_OK ? &h->plans[i] : NULL;
     }
+    return h->plans != NULL;
 }
 
-static void affine(struct hand *h, int a, float scale, float offset)
+/* Makes the noises, which know their warps by where they are in the table. */
+static int make_noises(struct hand *h, const struct bench_work *work)
 {
-    const struct scarp_samples s = in(h, a);
-    scarp_affine(h->count, &s, scale, offset, &s);
-}
-
-static void add(struct hand *h, int a, int b)
-{
-    const struct scarp_samples s = in(h, a), t = in(h, b);
-    scarp_add(h->count, &s, &t, &s);
-}
-
-static void multiply(struct hand *h, int a, int b)
-{
-    const struct scarp_samples s = in(h, a), t = in(h, b);
-    scarp_multiply(h->count, &s, &t, &s);
-}
-
-static void smoothstep(struct hand *h, int a, float lo, float hi)
-{
-    const struct scarp_samples s = in(h, a);
-    scarp_smoothstep(h->count, &s, lo, hi, &s);
-}
-
-static void curve(struct hand *h, int a, size_t knots, const float *x, const float *y, int to)
-{
-    const struct scarp_samples s = in(h, a), t = in(h, to);
-    scarp_curve(h->count, &s, knots, x, y, &t);
-}
-
-/* slope . x + offset of a row of points, in double; `x` has the coordinates of points. */
-static void ramp_of_points(struct hand *h, const double slope[3], double offset, float *to)
-{
-    for (size_t i = 0; i < h->count; i++) {
-        to[i] = (float)(slope[0] * ((const double *)h->x[0])[i] +
-                        slope[1] * ((const double *)h->x[1])[i] + offset);
+    const struct hand_recipe *const r = h->recipe;
+    for (int i = 0; i < r->noise_count; i++) {
+        struct scarp_noise *const noise = &h->noise[i];
+        *noise = r->noises[i];
+        noise->offset_first = 1;
+        noise->seed = seed(noise->seed);
+        noise->warp = noise->warp != NULL ? &h->noise[noise->warp - r->noises] : NULL;
     }
+    return work->points > BENCH_FEW_POINTS || make_plans(h, work);
 }
 
-static double coordinate(const struct scarp_grid *g, int d, size_t i)
+static void hand_close(void *state)
 {
-    return g->origin[d] + (double)(g->first[d] + (int64_t)i) * g->step[d];
-}
-
-static void ramp_of_grid(const struct scarp_grid *g, const double slope[3], double offset,
-                         float *to)
-{
-    for (size_t k = 0; k < g->count[2]; k++) {
-        for (size_t j = 0; j < g->count[1]; j++) {
-            const double row =
-                slope[1] * coordinate(g, 1, j) + slope[2] * coordinate(g, 2, k) + offset;
-            for (size_t i = 0; i < g->count[0]; i++) {
-                *to++ = (float)(slope[0] * coordinate(g, 0, i) + row);
-            }
-        }
-    }
-}
-
-/* A linear field */
-static void ramp(struct hand *h, const double slope[3], double offset, int to)
-{
-    const struct scarp_samples out = in(h, to);
-    float *const arrays[3] = {out.dx, out.dy, out.dz};
-    if (h->grid != NULL) {
-        ramp_of_grid(h->grid, slope, offset, out.value);
-    } else {
-        ramp_of_points(h, slope, offset, out.value);
-    }
-    for (int d = 0; d < 3; d++) {
-        for (size_t i = 0; arrays[d] != NULL && i < h->count; i++) {
-            arrays[d][i] = (float)slope[d];
-        }
-    }
-}
-
-static void fade(struct hand *h)
-{
-    const struct scarp_noise soft = {.offset_first = 1, .frequency = 1 / 400.0, .octaves = 6};
-    const struct scarp_noise hard = {
-        .offset_first = 1, .frequency = 1 / 250.0, .octaves = 8, .seed = seed(1)};
-    const struct scarp_noise where = {
-        .offset_first = 1, .frequency = 1 / 900.0, .octaves = 3, .seed = seed(2)};
-    const struct scarp_samples a = in(h, 0), b = in(h, 1), m = in(h, 2);
-    sample(h, &where, 2);
-    smoothstep(h, 2, -0.2f, 0.2f);
-    sample(h, &hard, 1);
-    sample(h, &soft, 0);
-    scarp_mix(h->count, &a, &b, &m, &a);
-    affine(h, 0, 100, 0);
-}
-
-static void alps(struct hand *h)
-{
-    const struct scarp_noise bend = {
-        .offset_first = 1, .frequency = 0.0035, .octaves = 5, .amplitude = 75};
-    const struct scarp_noise ridges = {.offset_first = 1,
-                                       .fractal = SCARP_SWISS,
-                                       .rotate = 1,
-                                       .frequency = 0.005,
-                                       .octaves = 9,
-                                       .gain = 0.45f,
-                                       .warp = &bend};
-    const struct scarp_noise ground = {.offset_first = 1,
-                                       .fractal = SCARP_HYBRID,
-                                       .rotate = 1,
-                                       .frequency = 0.0016,
-                                       .octaves = 8,
-                                       .gain = 0.42f,
-                                       .amplitude = 1.4f};
-    const struct scarp_noise high = {
-        .offset_first = 1, .rotate = 1, .frequency = 0.0016, .octaves = 3};
-    sample(h, &high, 1);
-    smoothstep(h, 1, -0.5f, 0.25f);
-    sample(h, &ridges, 0);
-    multiply(h, 0, 1);
-    sample(h, &ground, 1);
-    add(h, 0, 1);
-    affine(h, 0, 110, 0);
-}
-
-static void overworld(struct hand *h)
-{
-    static const float shelf_x[] = {-1, -0.45f, -0.2f, -0.1f, 0.05f, 0.3f, 0.7f};
-    static const float shelf_y[] = {-60, -55, -18, 2, 8, 30, 60};
-    static const float rugged_x[] = {-0.7f, -0.3f, 0, 0.4f}, rugged_y[] = {1, 0.6f, 0.2f, 0.05f};
-    const struct scarp_noise drift = {
-        .offset_first = 1, .frequency = 1 / 600.0, .octaves = 3, .amplitude = 120, .seed = seed(1)};
-    const struct scarp_noise continents = {.offset_first = 1,
-                                           .frequency = 1 / 2400.0,
-                                           .octaves = 6,
-                                           .rotate = 1,
-                                           .seed = seed(2),
-                                           .warp = &drift};
-    const struct scarp_noise erosion = {.offset_first = 1,
-                                        .frequency = 1 / 1500.0,
-                                        .octaves = 4,
-                                        .rotate = 1,
-                                        .seed = seed(3),
-                                        .warp = &drift};
-    const struct scarp_noise weird = {
-        .offset_first = 1, .frequency = 1 / 700.0, .octaves = 5, .rotate = 1, .seed = seed(4)};
-    const struct scarp_noise rough = {.offset_first = 1,
-                                      .fractal = SCARP_RIDGED,
-                                      .frequency = 1 / 260.0,
-                                      .octaves = 6,
-                                      .rotate = 1,
-                                      .gain = 0.45f,
-                                      .seed = seed(5)};
-    const struct scarp_noise bumps = {
-        .offset_first = 1, .frequency = 1 / 40.0, .octaves = 3, .seed = seed(6)};
-    const struct scarp_samples peaks = in(h, 3);
-    sample(h, &continents, 1);
-    curve(h, 1, 7, shelf_x, shelf_y, 0);
-    smoothstep(h, 1, -0.12f, 0.3f);
-    sample(h, &erosion, 2);
-    curve(h, 2, 4, rugged_x, rugged_y, 2);
-    multiply(h, 1, 2);
-    sample(h, &weird, 3);
-    scarp_abs(h->count, &peaks, &peaks);
-    affine(h, 3, 3, -2);
-    scarp_abs(h->count, &peaks, &peaks);
-    affine(h, 3, -70, 70);
-    sample(h, &rough, 2);
-    affine(h, 2, 90, 0);
-    add(h, 3, 2);
-    multiply(h, 1, 3);
-    sample(h, &bumps, 2);
-    affine(h, 2, 6, 0);
-    add(h, 0, 2);
-    add(h, 0, 1);
-}
-
-static void marble(struct hand *h)
-{
-    const struct scarp_noise rough = {.offset_first = 1,
-                                      .fractal = SCARP_TURBULENCE,
-                                      .frequency = 1 / 0.7,
-                                      .octaves = 6,
-                                      .seed = seed(1)};
-    const double coarse[3] = {0.9063077870366499, 0.42261826174069944, 0};
-    const double fine[3] = {0.6427876096865394, -0.766044443118978, 0};
-    const struct scarp_samples a = in(h, 0), b = in(h, 1), r = in(h, 2), s = in(h, 3);
-    sample(h, &rough, 2);
-    ramp(h, coarse, 0, 0);
-    affine(h, 0, 5, 0);
-    scarp_affine(h->count, &r, 1.8f, 0, &s);
-    add(h, 0, 3);
-    scarp_sine(h->count, &a, &a);
-    affine(h, 0, 1, 1);
-    affine(h, 0, 0.5f, 0);
-    affine(h, 0, -1, 1);
-    scarp_multiply(h->count, &a, &a, &s);
-    multiply(h, 0, 3);
-    ramp(h, fine, 0, 1);
-    affine(h, 1, 20, 0);
-    affine(h, 2, 3.6f, 0);
-    add(h, 1, 2);
-    scarp_sine(h->count, &b, &b);
-    affine(h, 1, 1, 1);
-    affine(h, 1, 0.5f, 0);
-    affine(h, 1, 0.2f, 0);
-    affine(h, 1, 1, 0.8f);
-    multiply(h, 0, 1);
-    affine(h, 0, -1, 1);
-}
-
-/* A noise of the plane, the same in all slices of a piece. */
-static void sample_flat(struct hand *h, const struct scarp_noise *noise, int to)
-{
-    const struct scarp_samples out = in(h, to);
-    struct scarp_samples plane = out;
-    const size_t slice = h->grid->count[0] * h->grid->count[1];
-    float *const arrays[3] = {out.value, out.dx, out.dy};
-    plane.dz = NULL;
-    scarp_grid2(noise, h->grid, &plane);
-    for (int i = 0; i < 3; i++) {
-        for (size_t k = slice; arrays[i] != NULL && k < h->count; k += slice) {
-            memcpy(arrays[i] + k, arrays[i], slice * sizeof(float));
-        }
-    }
-    if (out.dz != NULL) {
-        memset(out.dz, 0, h->count * sizeof(float));
-    }
-}
-
-static void cloud(struct hand *h)
-{
-    static const float x[] = {0, 0.15f, 0.6f, 1}, y[] = {0, 1, 0.8f, 0};
-    static const double up[3] = {0, 0, 1 / 1200.0};
-    const struct scarp_noise drift = {
-        .offset_first = 1, .frequency = 1 / 900.0, .octaves = 2, .amplitude = 150, .seed = seed(1)};
-    const struct scarp_noise shape = {
-        .offset_first = 1, .frequency = 1 / 1400.0, .octaves = 5, .seed = seed(2), .warp = &drift};
-    const struct scarp_noise puffs = {.offset_first = 1,
-                                      .basis = SCARP_CELL_F1,
-                                      .frequency = 1 / 300.0,
-                                      .octaves = 3,
-                                      .seed = seed(3)};
-    const struct scarp_noise weather = {
-        .offset_first = 1, .frequency = 1 / 6000.0, .octaves = 3, .seed = seed(4)};
-    const struct scarp_samples a = in(h, 0), b = in(h, 1);
-    ramp(h, up, -1, 2);
-    curve(h, 2, 4, x, y, 2);
-    sample(h, &shape, 0);
-    sample_flat(h, &weather, 1);
-    affine(h, 1, 0.5f, 0.3f);
-    add(h, 0, 1);
-    multiply(h, 0, 2);
-    sample(h, &puffs, 1);
-    affine(h, 1, 0.2f, -0.2f);
-    add(h, 0, 1);
-    affine(h, 1, 0, 0);
-    scarp_smooth_max(h->count, &a, &b, 0.05f, &a);
+    struct hand *const h = state;
+    free(h->memory);
+    free(h->plans);
+    free(h);
 }
 
 static void *hand_open(const struct bench_work *work, enum scarp_isa isa)
 {
-    static const struct {
-        const char *title;
-        void (*compute)(struct hand *);
-    } all[] = {{"fade", fade},
-               {"alps", alps},
-               {"overworld", overworld},
-               {"marble", marble},
-               {"cloud", cloud}};
     const int is_recipe = work->layout == BENCH_RECIPE || work->layout == BENCH_RECIPE_GRID;
-    struct hand *const h = is_recipe && scarp_isa_supported(isa) ? calloc(1, sizeof *h) : NULL;
-    for (size_t i = 0; h != NULL && i < sizeof all / sizeof all[0]; i++) {
-        if (strcmp(work->title, all[i].title) == 0) {
-            h->compute = all[i].compute;
-        }
+    const struct hand_recipe *r = hand_recipes;
+    while (is_recipe && r->title != NULL && strcmp(work->title, r->title) != 0) {
+        r++;
     }
-    if (h == NULL || h->compute == NULL) {
-        free(h);
+    if (!is_recipe || r->title == NULL || !scarp_isa_supported(isa)) {
         return NULL;
     }
-    h->dimensions = work->dimensions;
+    struct hand *const h = calloc(1, sizeof *h);
+    if (h != NULL) {
+        h->recipe = r;
+    }
+    if (h != NULL && !make_noises(h, work)) {
+        hand_close(h);
+        return NULL;
+    }
     return h;
 }
 
-static float *member(const struct scarp_samples *out, int i)
+/* Runs all ways in turn, and takes that with the shortest time. */
+static const char *hand_choose(void *state, const struct bench_work *work, const void *const x[3],
+                               const struct scarp_samples *out)
 {
-    return i == 0 ? out->value : i == 1 ? out->dx : i == 2 ? out->dy : out->dz;
-}
-
-static void run_points(struct hand *h, const struct bench_work *work, const void *const x[3],
-                       const struct scarp_samples *out)
-{
-    const size_t bytes = work->f64 ? sizeof(double) : sizeof(float);
-    h->grid = NULL;
-    h->is_double = work->f64;
-    for (size_t at = 0; at < work->points; at += CHUNK) {
-        h->count = work->points - at < CHUNK ? work->points - at : CHUNK;
-        for (int d = 0; d < work->dimensions; d++) {
-            h->x[d] = (const char *)x[d] + at * bytes;
-        }
-        h->compute(h);
-        for (int i = 0; i < MEMBERS; i++) {
-            if (member(out, i) != NULL) {
-                memcpy(member(out, i) + at, h->memory[0][i], h->count * sizeof(float));
+    struct hand *const h = state;
+    double shortest[WAYS], spent = 0;
+    int ways = 0;
+    while (bench_hand_way(work, ways, h->way_name, sizeof h->way_name)) {
+        shortest[ways++] = HUGE_VAL;
+    }
+    for (int trial = 0; ways > 1 && (trial < 2 || (trial < TRIALS && spent < TRIAL_SECONDS));
+         trial++) {
+        for (int i = 0; i < ways; i++) {
+            const double start = bench_seconds();
+            if (!bench_hand_run(h, i, work, x, out)) {
+                return NULL;
             }
+            const double time = bench_seconds() - start;
+            shortest[i] = time < shortest[i] ? time : shortest[i];
+            spent += time;
         }
     }
-}
-
-/* A piece that begins at a column, a row and a slice. */
-static void run_piece(struct hand *h, const struct scarp_grid *whole,
-                      const struct scarp_grid *piece, const struct scarp_samples *out)
-{
-    h->grid = piece;
-    h->count = piece->count[0] * piece->count[1] * piece->count[2];
-    h->compute(h);
-    for (int i = 0; i < MEMBERS; i++) {
-        const float *from = h->memory[0][i];
-        for (size_t row = 0; member(out, i) != NULL && row < piece->count[1] * piece->count[2];
-             row++) {
-            const size_t y = (size_t)piece->first[1] + row % piece->count[1];
-            const size_t z = (size_t)piece->first[2] + row / piece->count[1];
-            memcpy(member(out, i) + (z * whole->count[1] + y) * whole->count[0] +
-                       (size_t)piece->first[0],
-                   from, piece->count[0] * sizeof *from);
-            from += piece->count[0];
-        }
+    h->way = 0;
+    for (int i = 1; i < ways; i++) {
+        h->way = shortest[i] < shortest[h->way] ? i : h->way;
     }
-}
-
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
+    free(h->memory); /* other ways may need much more */
+    h->memory = NULL;
+    h->floats = 0;
+    (void)bench_hand_way(work, h->way, h->way_name, sizeof h->way_name);
+    return bench_hand_run(h, h->way, work, x, out) ? h->way_name : NULL;
 }
 
 static void hand_recipe(void *state, const struct bench_work *work, const void *const x[3],
                         const struct scarp_samples *out)
 {
     struct hand *const h = state;
-    h->has_gradient = out->dx != NULL;
-    if (work->layout == BENCH_RECIPE) {
-        run_points(h, work, x, out);
-        return;
-    }
-    const struct scarp_grid whole = bench_work_grid(work);
-    const size_t rows = work->dimensions == 3 ? 4 : CHUNK / COLUMNS;
-    const size_t slices = work->dimensions == 3 ? CHUNK / COLUMNS / 4 : 1;
-    struct scarp_grid piece = whole;
-    for (size_t k = 0; k < whole.count[2]; k += slices) {
-        for (size_t j = 0; j < whole.count[1]; j += rows) {
-            for (size_t i = 0; i < whole.count[0]; i += COLUMNS) {
-                const size_t from[3] = {i, j, k}, most[3] = {COLUMNS, rows, slices};
-                for (int d = 0; d < 3; d++) {
-                    piece.first[d] = (int64_t)from[d];
-                    piece.count[d] = least(whole.count[d] - from[d], most[d]);
-                }
-                run_piece(h, &whole, &piece, out);
-            }
-        }
-    }
+    (void)bench_hand_run(h, h->way, work, x, out);
 }
 
-const struct bench_peer bench_peer_hand = {
-    .library = "by hand", .open = hand_open, .close = free, .recipe = hand_recipe};
+const struct bench_peer bench_peer_hand = {.library = "by hand",
+                                           .open = hand_open,
+                                           .close = hand_close,
+                                           .recipe = hand_recipe,
+                                           .choose = hand_choose};

@@ -77,9 +77,10 @@ void bench_write_text(FILE *file, const struct bench_report *report)
             "ns/point", "Mpoints/s", "fastest", "spread");
     for (size_t i = 0; i < report->count; i++) {
         const struct bench_row *const row = &report->rows[i];
-        fprintf(file, "%-*s %-17s %-7s %9.3f %10.1f %9.3f %6.1f %%%s%s\n", width, row->work,
+        fprintf(file, "%-*s %-17s %-7s %9.3f %10.1f %9.3f %6.1f %%%s%s%s%s\n", width, row->work,
                 row->library, row->isa, row->median, 1000 / row->median, row->minimum,
-                row->spread * 100, row->note[0] != '\0' ? "  " : "", row->note);
+                row->spread * 100, row->note[0] != '\0' ? "  " : "", row->note,
+                row->way[0] != '\0' ? "  " : "", row->way);
     }
     if (!has_differences(report)) {
         return;

@@ -16,9 +16,6 @@
 /* Keeps the compiler from dropping work whose result nobody reads. */
 static volatile uint32_t consumed;
 
-/* Callers of few points at a time keep a plan, as those of the peers keep their objects. */
-#define FEW_POINTS 64
-
 static int is_recipe(const struct bench_work *work)
 {
     return work->layout == BENCH_RECIPE || work->layout == BENCH_RECIPE_GRID;
@@ -31,10 +28,10 @@ static int make_scarp(struct bench_subject *subject, const struct bench_work *wo
         return 0;
     }
     if (is_recipe(work)) {
-        subject->state = bench_recipe_make(work);
+        subject->state = bench_recipe_make(work, subject->scratch);
         return subject->state != NULL;
     }
-    if (work->points <= FEW_POINTS) {
+    if (work->points <= BENCH_FEW_POINTS) {
         struct scarp_plan *const plan = malloc(sizeof *plan);
         if (plan != NULL && scarp_plan_make(&subject->noise, work->dimensions, plan) == SCARP_OK) {
             subject->noise.plan = plan;
@@ -105,9 +102,9 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
 }
 
 int bench_subject_make(struct bench_subject *subject, const struct bench_work *work,
-                       const struct bench_peer *peer, enum scarp_isa isa)
+                       const struct bench_peer *peer, enum scarp_isa isa, size_t scratch)
 {
-    *subject = (struct bench_subject){.work = *work, .peer = peer, .isa = isa};
+    *subject = (struct bench_subject){.work = *work, .peer = peer, .isa = isa, .scratch = scratch};
     return peer == NULL ? make_scarp(subject, work) : make_peer(subject, work);
 }
 
@@ -236,21 +233,31 @@ static enum scarp_status run_gullies(const struct bench_subject *subject)
                      : scarp_gullies2(&gullies, work->points, x[0], x[1], &base, &out);
 }
 
+/* The coordinates of the points of a recipe */
+struct recipe_points {
+    const void *at[3];
+};
+
+static struct recipe_points recipe_points(const struct bench_subject *subject)
+{
+    struct recipe_points p;
+    for (int d = 0; d < 3; d++) {
+        p.at[d] = subject->work.f64 ? (const void *)subject->arrays->points_f64[d]
+                                    : subject->arrays->points[subject->work.pattern][d];
+    }
+    return p;
+}
+
 /* By scarp or by a peer. */
 static enum scarp_status run_recipe(const struct bench_subject *subject,
                                     const struct scarp_samples *out)
 {
-    const struct bench_work *const work = &subject->work;
-    float *const *const x = subject->arrays->points[work->pattern];
-    double *const *const w = subject->arrays->points_f64;
-    const void *const at[3] = {work->f64 ? (const void *)w[0] : x[0],
-                               work->f64 ? (const void *)w[1] : x[1],
-                               work->f64 ? (const void *)w[2] : x[2]};
+    const struct recipe_points p = recipe_points(subject);
     if (subject->peer != NULL) {
-        subject->peer->recipe(subject->state, work, at, out);
+        subject->peer->recipe(subject->state, &subject->work, p.at, out);
         return SCARP_OK;
     }
-    return bench_recipe_run(subject->state, work, at, out);
+    return bench_recipe_run(subject->state, &subject->work, p.at, out);
 }
 
 /* One call; `out` is made before, as callers of few points at a time do. */
@@ -358,7 +365,17 @@ static void consume(const struct bench_subject *subject)
 enum scarp_status bench_subject_try(const struct bench_subject *subject)
 {
     const struct scarp_samples out = choose_outputs(subject);
-    return subject->peer == NULL ? run_scarp(subject, &out) : SCARP_OK;
+    (void)scarp_isa_select(subject->isa);
+    if (subject->peer == NULL) {
+        return run_scarp(subject, &out);
+    }
+    if (is_recipe(&subject->work) && subject->peer->choose != NULL) {
+        const struct recipe_points p = recipe_points(subject);
+        const char *const way = subject->peer->choose(subject->state, &subject->work, p.at, &out);
+        snprintf(subject->row->way, sizeof subject->row->way, "%s", way != NULL ? way : "");
+        return way != NULL ? SCARP_OK : SCARP_ERROR_SIZE;
+    }
+    return SCARP_OK;
 }
 
 void bench_subject_run(const struct bench_subject *subject, unsigned long iterations)

@@ -50,9 +50,18 @@ static const size_t other_sizes[] = {1, 4, 16, 64, 256, 4096, 1048576, 0};
 static const size_t squares[] = {256, 1024, 4096, 0}, huge_square[] = {16384, 0};
 static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
 static const size_t product_sizes[] = {4096, 1048576, 0}; /* a chunk, and far beyond the caches */
-static const size_t recipe_squares[] = {512, 0}, recipe_cubes[] = {64, 0};
-static const size_t recipe_points[] = {8192, 0}, recipe_few[] = {16, 64, 8192, 0};
-static const float terrain_steps[] = {2, 0}, marble_steps[] = {0.005f, 0}, cloud_steps[] = {40, 0};
+static const size_t recipe_squares[] = {512, 0}, tile[] = {256, 0}, chunk[] = {32, 0};
+static const size_t recipe_points[] = {8192, 0}, recipe_few[] = {1, 4, 16, 64, 4096, 0};
+static const float terrain_steps[] = {2, 0}, marble_steps[] = {0.005f, 0}, clouds_steps[] = {40, 0};
+static const float unit_steps[] = {1, 0};
+static const struct shape slab[] = {{{256, 16, 16}}, {{0, 0, 0}}};
+static const struct shape chunks[] = {
+    {{32, 32, 32}}, {{16, 16, 256}}, {{256, 16, 16}}, {{0, 0, 0}}};
+/* Others, for recipes of one noise and for `density` */
+static const struct shape recipe_shapes2[] = {{{65, 65, 1}}, {{1024, 1024, 1}}, {{0, 0, 0}}};
+static const struct shape recipe_shapes3[] = {
+    {{17, 17, 17}}, {{32, 32, 32}}, {{16, 256, 16}}, {{16, 16, 256}}, {{0, 0, 0}}};
+static const struct shape density_shapes[] = {{{17, 17, 17}}, {{16, 256, 16}}, {{0, 0, 0}}};
 /* Chunks of voxels, with and without a sample more on each side, and tiles of height maps. */
 static const struct shape shapes2[] = {
     {{17, 17, 1}}, {{33, 33, 1}}, {{65, 65, 1}}, {{129, 129, 1}}, {{0, 0, 0}}};
@@ -67,11 +76,10 @@ static const float shape_steps[] = {0.05f, 0};
     {                                                                                              \
         .layout = BENCH_GRID, .title = name, .dimensions = 2, __VA_ARGS__                          \
     }
-#define RECIPE_GRID(name, axes, distances)                                                         \
+#define RECIPE_GRID(name, axes, distances, ...)                                                    \
     {                                                                                              \
         {.layout = BENCH_RECIPE_GRID, .title = name, .dimensions = axes},                          \
-            OF(GRADIENT, UP_TO_GRADIENT), .sizes = {recipe_squares, recipe_cubes},                 \
-                                          .steps = distances                                       \
+            OF(GRADIENT, UP_TO_GRADIENT), .steps = distances, __VA_ARGS__                          \
     }
 #define SHAPES OF(ALL_BASES, UP_TO_GRADIENT), .steps = shape_steps, .shapes = {shapes2, shapes3}
 
@@ -166,27 +174,48 @@ static const struct product products[] = {
      OF(GRADIENT, UP_TO_GRADIENT),
      .sizes = {product_sizes, NULL}},
     /* Recipes, next to the same calls by hand. */
-    RECIPE_GRID("fade", 2, terrain_steps),
-    RECIPE_GRID("alps", 2, terrain_steps),
-    RECIPE_GRID("overworld", 2, terrain_steps),
-    RECIPE_GRID("marble", 2, marble_steps),
-    RECIPE_GRID("cloud", 3, cloud_steps),
+    RECIPE_GRID("fade", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("alps", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("overworld", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("marble", 2, marble_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("clouds", 3, clouds_steps, .sizes = {NULL, standard_cubes}),
+    RECIPE_GRID("density", 3, unit_steps, .shapes = {NULL, chunks}),
+    /* One noise, and times and plus numbers */
+    RECIPE_GRID("noise1", 2, unit_steps, .sizes = {tile}),
+    RECIPE_GRID("noise4", 2, unit_steps, .sizes = {standard_squares}),
+    RECIPE_GRID("noise1", 3, unit_steps, .shapes = {NULL, slab}),
+    RECIPE_GRID("warped", 3, unit_steps, .sizes = {NULL, chunk}),
+    RECIPE_GRID("scaled-noise1", 2, unit_steps, .sizes = {tile}),
+    RECIPE_GRID("scaled-noise4", 2, unit_steps, .sizes = {standard_squares}),
+    RECIPE_GRID("scaled-noise1", 3, unit_steps, .shapes = {NULL, slab}),
+    RECIPE_GRID("scaled-warped", 3, unit_steps, .sizes = {NULL, chunk}),
     /* The presets of the program */
-    RECIPE_GRID("terrain-alps", 2, terrain_steps),
-    RECIPE_GRID("terrain-range", 2, terrain_steps),
-    RECIPE_GRID("terrain-hills", 2, terrain_steps),
-    RECIPE_GRID("terrain-badlands", 2, terrain_steps),
-    RECIPE_GRID("terrain-canyon", 2, terrain_steps),
-    RECIPE_GRID("terrain-mesas", 2, terrain_steps),
-    RECIPE_GRID("terrain-dunes", 2, terrain_steps),
-    RECIPE_GRID("terrain-volcanic", 2, terrain_steps),
-    RECIPE_GRID("terrain-islands", 2, terrain_steps),
+    RECIPE_GRID("terrain-alps", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("terrain-range", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("terrain-hills", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("terrain-badlands", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("terrain-canyon", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("terrain-mesas", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("terrain-dunes", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("terrain-volcanic", 2, terrain_steps, .sizes = {recipe_squares}),
+    RECIPE_GRID("terrain-islands", 2, terrain_steps, .sizes = {recipe_squares}),
+    {{.layout = BENCH_RECIPE_GRID, .title = "noise1", .request = BENCH_BY_WORK},
+     OF(GRADIENT, UP_TO_GRADIENT),
+     .steps = unit_steps,
+     .shapes = {recipe_shapes2, recipe_shapes3}},
+    {{.layout = BENCH_RECIPE_GRID, .title = "density", .dimensions = 3, .request = BENCH_BY_WORK},
+     OF(GRADIENT, UP_TO_GRADIENT),
+     .steps = unit_steps,
+     .shapes = {NULL, density_shapes}},
     {{.layout = BENCH_RECIPE, .title = "fade", .dimensions = 2},
      OF(GRADIENT, ONLY_VALUE),
      .sizes = {recipe_points, NULL}},
     {{.layout = BENCH_RECIPE, .title = "alps", .dimensions = 2, .f64 = 1},
      OF(GRADIENT, UP_TO_GRADIENT),
      .sizes = {recipe_few, NULL}},
+    {{.layout = BENCH_RECIPE, .title = "density", .dimensions = 3, .f64 = 1},
+     OF(GRADIENT, ONLY_VALUE),
+     .sizes = {NULL, recipe_few}},
     /* One noise, as terrains have it: only heights, or with what lights them. */
     {TERRAIN("terrain-fbm", .octaves = 9, .gain = 0.4f), OF(GRADIENT, UP_TO_GRADIENT),
      .steps = none_steps},

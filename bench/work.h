@@ -17,6 +17,9 @@ extern "C" {
 /* The points of workloads whose name says nothing of them */
 #define BENCH_STANDARD_POINTS 65536
 
+/* Callers of so few points at a time keep plans, as those of peers keep their objects. */
+#define BENCH_FEW_POINTS 64
+
 /* Holds every name of a workload, with the 0 at its end. */
 #define BENCH_NAME_SIZE 224
 

@@ -17,8 +17,15 @@ if("scarp-bench" IN_LIST scarp_found)
   scarp_test_program(test_bench_presets SOURCES ${PROJECT_SOURCE_DIR}/bench/names.c
                      ${PROJECT_SOURCE_DIR}/bench/work.c)
   target_link_libraries(test_bench_presets PRIVATE scarp-presets)
+  set(bench ${PROJECT_SOURCE_DIR}/bench)
+  scarp_test_program(test_bench_hand SOURCES ${bench}/arrays.c ${bench}/hand_recipes.c ${bench}/names.c
+                     ${bench}/peer_hand.c ${bench}/platform.c ${bench}/recipes.c ${bench}/work.c
+                     ${PROJECT_BINARY_DIR}/bench/recipes_texts.c)
+  target_include_directories(test_bench_hand PRIVATE ${bench})
+  target_link_libraries(test_bench_hand PRIVATE scarp-presets)
 endif()
 scarp_add_test(bench.presets bench NEEDS scarp-bench COMMAND test_bench_presets)
+scarp_add_test(bench.hand bench NEEDS scarp-bench COMMAND test_bench_hand)
 
 # Compares instructions per point with the committed figures. A busy machine does not change them.
 set(cost_processor ${CMAKE_SYSTEM_PROCESSOR})

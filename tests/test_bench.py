@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "cli
 import common
 from common import main, pty
 
-OPTIONS = ("work", "isa", "peers", "min-time", "repeat", "json", "svg", "markdown", "from", "list",
+OPTIONS = ("work", "isa", "peers", "min-time", "repeat", "scratch", "json", "svg", "markdown", "from", "list",
            "quiet", "help")
 FLAGS = ("peers", "markdown", "list", "quiet", "help")
 ISAS = ["scalar", "sse4.1", "avx2", "avx512", "neon", "generic", "wasm128"]
@@ -60,7 +60,7 @@ def samples_of(name):
     """The samples of a grid, None of other workloads"""
     grid = re.match(r"grid(\d)/.*/([\dx]+)(/as-points)?/step[\d.]+$", name)
     if grid is None:
-        grid = re.match(r"recipe-grid(\d)/.*/([\dx]+)$", name)
+        grid = re.match(r"recipe-grid(\d)/.*?/([\dx]+)(/scratch=\d+)?$", name)
     if grid is None:
         assert "grid" not in name.split("/")[0], name
         return None
@@ -87,7 +87,7 @@ class Case(common.Case):
                 self.assertTrue(0 < row["fastest_ns_per_point"] <= row["ns_per_point"] * 1.00001)
                 self.assertAlmostEqual(row["mpoints_per_s"] * row["ns_per_point"] / 1000, 1, 4)
                 self.assertGreaterEqual(row["spread"], 0)
-                size = re.search(r"/n=(\d+)$", row["work"])
+                size = re.search(r"/n=(\d+)(/scratch=\d+)?$", row["work"])
                 self.assertEqual(row["points"], samples_of(row["work"]) or
                                  (int(size.group(1)) if size else 65536))
 
@@ -148,6 +148,18 @@ class Selection(Case):
             for output in ("value", "+gradient"):
                 self.assertIn("grid2/" + noise % output, names)
         self.assertIn("grid2/gradient/fbm3/quick-noise/value/1024/step0.0078125", names)
+        for title in ("fade", "alps", "overworld", "marble"):
+            self.assertIn("recipe-grid2/%s/value/512" % title, names)
+        for scaled in ("", "scaled-"):
+            for output in ("value", "+gradient"):
+                for row in ("2/%snoise1/%s/256", "2/%snoise4/%s/1024", "3/%snoise1/%s/256x16x16",
+                            "3/%swarped/%s/32"):
+                    self.assertIn("recipe-grid" + row % (scaled, output), names)
+        for shape in ("32", "16x16x256", "256x16x16"):
+            self.assertIn("recipe-grid3/density/+gradient/" + shape, names)
+        for points in (1, 4, 16, 64, 4096):
+            self.assertIn("recipe2/alps/f64/value/n=%d" % points, names)
+            self.assertIn("recipe3/density/f64/value/n=%d" % points, names)
         for basis in BASES:
             for kind in ("", "/fbm4", "/fbm4/turned"):
                 for output in ("value", "+gradient"):
@@ -327,7 +339,8 @@ class Results(Case):
     def test_from(self):
         """What is written can be read; of rows that two files have, the first counts."""
         first = [self.row("w/value", "avx2", 100), self.row("w/value", "scalar", 10)]
-        second = [self.row("w/value", "avx2", 1), self.row("v/value", "avx2", 5, "peer", note="n")]
+        second = [self.row("w/value", "avx2", 1),
+                  self.row("v/value", "avx2", 5, "peer", note="n", way="w")]
         self.write_report("a.json", first)
         self.write_report("b.json", second, cpu="another")
         files = self.path("a.json") + "," + self.path("b.json")
@@ -429,6 +442,47 @@ class Results(Case):
         for row in rows:
             self.assertNotIn("note", row)
 
+    def test_recipes_by_hand(self):
+        """The way that was the fastest is named; there is one only for few points."""
+        if run("--list", "--peers").returncode != 0:
+            self.skipTest("no peer was found")
+        rows = report_of(*QUICK, "--isa", "scalar", "--peers", "--work",
+                         "recipe-grid2/noise1/value/256,recipe3/density/f64/value/n=4")["rows"]
+        self.check_rows(rows)
+        self.assertEqual([(row["work"], row["library"]) for row in rows],
+                         [(work, library) for work in ("recipe-grid2/noise1/value/256",
+                                                       "recipe3/density/f64/value/n=4")
+                          for library in ("scarp", "by hand")])
+        self.assertRegex(rows[1]["way"], r"\A(whole|(bands|pieces) of \d+)\Z")
+        self.assertEqual(rows[3]["way"], "whole")
+        for row in rows[::2]:
+            self.assertNotIn("way", row)
+
+    def test_scratch(self):
+        """Recipes have a row for each size of their scratch memory, other rows do not."""
+        grid, points = "recipe-grid2/noise1/value/256", "recipe2/alps/f64/value/n=16"
+        rows = report_of(*QUICK, "--isa", "scalar", "--scratch", "0,65536", "--work",
+                         "points2/gradient/value,%s,%s" % (grid, points))["rows"]
+        self.check_rows(rows)
+        self.assertEqual([row["work"] for row in rows],
+                         ["points2/gradient/value"] +
+                         [work + scratch for work in (grid, points)
+                          for scratch in ("", "/scratch=0", "/scratch=65536")])
+
+    def test_recipe_table(self):
+        """recipes.py compares them."""
+        grid = "recipe-grid3/density/value/32"
+        with open(self.path("rows.json"), "w") as file:
+            json.dump({"rows": [self.row(grid, "avx2", 90), self.row(grid + "/scratch=65536", "avx2", 80),
+                                self.row(grid, "avx2", 100, "by hand", way="whole"),
+                                self.row(grid, "avx2", 20, "FastNoise2"),
+                                self.row("points2/gradient/value", "avx2", 20)]}, file)
+        script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "bench", "recipes.py")
+        shown = subprocess.run([sys.executable, script, self.path("rows.json")], check=True,
+                               stdout=subprocess.PIPE, text=True).stdout
+        self.assertEqual([line for line in shown.splitlines() if "density" in line],
+                         ["| recipe-grid3/density/value/32 | 9.000 | whole | 0.90 | 0.80 | 4.50 |"])
+
     def test_peers_of_few_points(self):
         if not has_peers():
             self.skipTest("no peer was found")
@@ -496,6 +550,11 @@ class Errors(Case):
             self.check("--min-time", *ONE, "--json", "x.json", "--min-time", value)
         for value in ("", "0", "-1", "1.5", "1001", "1e2", "0x5", "99999999999999999999", " 5"):
             self.check("--repeat", *ONE, "--json", "x.json", "--repeat=" + value)
+
+    def test_scratch(self):
+        for value in ("", "one", "1K", "-1", "1.5", "1,", ",1", "1,,2", "1073741825", " 5", "0x5",
+                      "1,2,3,4,5,6,7,8,9"):
+            self.check("--scratch", *ONE, "--json", "x.json", "--scratch", value)
 
     def test_work(self):
         for value in ("bogus", "points4/*", "", "points2/gradient/value,bogus", "?", "a\nb",
