@@ -96,48 +96,119 @@ FastNoise::SmartNode<FastNoise::Generator> sum(FastSIMD::FeatureSet set,
     return node;
 }
 
-FastNoise::SmartNode<FastNoise::Generator> fbm(FastSIMD::FeatureSet set, float scale, int octaves)
+using Node = FastNoise::SmartNode<FastNoise::Generator>;
+
+/* Gradient noise whose cells are so large, and a sum of its octaves */
+template <typename Sum> Node octaves(FastSIMD::FeatureSet set, float size, int count, int of_seed)
 {
     auto perlin = FastNoise::New<FastNoise::Perlin>(set);
-    auto sum = FastNoise::New<FastNoise::FractalFBm>(set);
-    if (!perlin || !sum) {
-        return nullptr;
-    }
-    perlin->SetScale(scale);
+    auto sum = FastNoise::New<Sum>(set);
+    perlin->SetScale(size);
+    perlin->SetSeedOffset(of_seed);
     sum->SetSource(perlin);
-    sum->SetOctaveCount(octaves);
+    sum->SetOctaveCount(count);
     sum->SetGain(0.5f);
     sum->SetLacunarity(2.0f);
     return sum;
 }
 
-/* The recipe that it can do, too: two sums of octaves, faded by a third. */
-void *open_fade(const bench_work *work, FastSIMD::FeatureSet set)
+Node fbm(FastSIMD::FeatureSet set, float size, int count, int of_seed)
 {
-    auto fade = FastNoise::New<FastNoise::Fade>(set);
-    auto product = FastNoise::New<FastNoise::Multiply>(set);
-    auto soft = fbm(set, 400.0f, 6), hard = fbm(set, 250.0f, 8), where = fbm(set, 900.0f, 3);
-    if (!fade || !product || !soft || !hard || !where || fade->GetActiveFeatureSet() != set) {
-        return nullptr;
-    }
-    fade->SetA(soft);
-    fade->SetB(hard);
-    fade->SetFade(where);
-    fade->SetFadeMin(-0.2f);
-    fade->SetFadeMax(0.2f);
-    fade->SetInterpolation(FastNoise::Fade::Interpolation::Quintic);
-    product->SetLHS(fade);
-    product->SetRHS(100.0f);
-    return new State{product, work->dimensions};
+    return octaves<FastNoise::FractalFBm>(set, size, count, of_seed);
+}
+
+/* a and b: nodes, or b a number */
+template <typename Operator, typename A, typename B>
+Node join(FastSIMD::FeatureSet set, const A &a, const B &b)
+{
+    auto node = FastNoise::New<Operator>(set);
+    node->SetLHS(a);
+    node->SetRHS(b);
+    return node;
+}
+
+Node constant(FastSIMD::FeatureSet set, float value)
+{
+    auto node = FastNoise::New<FastNoise::Constant>(set);
+    node->SetValue(value);
+    return node;
+}
+
+Node fade(FastSIMD::FeatureSet set, const Node &a, const Node &b, const Node &by, float edge)
+{
+    auto node = FastNoise::New<FastNoise::Fade>(set);
+    node->SetA(a);
+    node->SetB(b);
+    node->SetFade(by);
+    node->SetFadeMin(-edge);
+    node->SetFadeMax(edge);
+    node->SetInterpolation(FastNoise::Fade::Interpolation::Quintic);
+    return node;
+}
+
+/* offset - z */
+Node minus_z(FastSIMD::FeatureSet set, float offset)
+{
+    auto node = FastNoise::New<FastNoise::Gradient>(set);
+    node->SetMultiplier<FastNoise::Dim::Z>(-1.0f);
+    node->SetOffset<FastNoise::Dim::Z>(-offset);
+    return node;
+}
+
+Node flat(FastSIMD::FeatureSet set, const Node &source)
+{
+    auto node = FastNoise::New<FastNoise::RemoveDimension>(set);
+    node->SetRemoveDimension(FastNoise::Dim::Z);
+    node->SetSource(source);
+    return node;
+}
+
+/* Two sums of octaves, faded by a third */
+Node make_fade(FastSIMD::FeatureSet set)
+{
+    using namespace FastNoise;
+    return join<Multiply>(
+        set, fade(set, fbm(set, 400, 6, 0), fbm(set, 250, 8, 1), fbm(set, 900, 3, 2), 0.2f),
+        100.0f);
+}
+
+/* bench/density.recipe. Ridged noise is as `sum` has it. */
+Node make_density(FastSIMD::FeatureSet set)
+{
+    using namespace FastNoise;
+    auto biome = New<GeneratorCache>(set); /* it is needed twice */
+    biome->SetSource(fbm(set, 900, 2, 1));
+    const auto between = [&](float a, float b) {
+        return fade(set, constant(set, a), constant(set, b), biome, 0.15f);
+    };
+    const Node hills = fbm(set, 250, 4, 2);
+    const Node height = join<Add>(set, join<Multiply>(set, hills, between(6, 66)), 20.0f);
+    const Node rock = join<Multiply>(set, fbm(set, 60, 4, 3), flat(set, between(2, 16)));
+    const Node ground = join<Multiply>(
+        set, join<Add>(set, join<Add>(set, flat(set, height), minus_z(set, 0)), rock), 1 / 16.0f);
+    const Node caves = join<Min>(set, octaves<FractalRidged>(set, 80, 2, 4),
+                                 octaves<FractalRidged>(set, 80, 2, 5));
+    const Node cut = join<Add>(set, join<Multiply>(set, caves, -12.0f), 9.6f);
+    return join<Max>(set, join<Min>(set, ground, cut), minus_z(set, 4));
+}
+
+/* The recipes that it can do, too; null of others. */
+Node recipe_of(const char *title, FastSIMD::FeatureSet set)
+{
+    return std::strcmp(title, "fade") == 0      ? make_fade(set)
+           : std::strcmp(title, "density") == 0 ? make_density(set)
+                                                : Node();
 }
 
 void *open(const bench_work *work, scarp_isa isa)
 {
     const FastSIMD::FeatureSet set = level(isa);
     if (work->layout == BENCH_RECIPE || work->layout == BENCH_RECIPE_GRID) {
-        const bool can = std::strcmp(work->title, "fade") == 0 && work->output == BENCH_VALUE &&
-                         !work->f64 && set != FastSIMD::FeatureSet::Invalid;
-        return can ? open_fade(work, set) : nullptr;
+        const auto any = FastNoise::New<FastNoise::Constant>(set);
+        const bool can =
+            work->output == BENCH_VALUE && !work->f64 && any && any->GetActiveFeatureSet() == set;
+        const Node noise = can ? recipe_of(work->title, set) : Node();
+        return noise ? new State{noise, work->dimensions} : nullptr;
     }
     if (set == FastSIMD::FeatureSet::Invalid || work->fractal > SCARP_RIDGED ||
         (work->period != 0 && work->dimensions != 2)) {
