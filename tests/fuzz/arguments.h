@@ -37,10 +37,12 @@ extern const char *fuzz_case_text;
 #define fuzz_must(condition) ((condition) ? (void)0 : fuzz_broken(__FILE__, __LINE__, #condition))
 _Noreturn void fuzz_broken(const char *file, int line, const char *condition);
 
+#define FUZZ_LEVELS 6
+
 /* A noise and its warps, one behind another. One in eight may be wrong, and has any numbers; the
    rest is mostly right. */
 struct fuzz_noise {
-    struct scarp_noise level[6];
+    struct scarp_noise level[FUZZ_LEVELS];
 };
 
 void fuzz_draw_noise(struct draw *d, int dimensions, struct fuzz_noise *noise);

@@ -23,6 +23,7 @@ struct recipe_counts recipe_counts;
 
 static struct scarp_recipe recipe, copy;
 static uint64_t memory[1 << 12];
+static uint64_t plan[1 << 16]; /* of this recipe, or of one before */
 static double position[3][POINTS];
 
 struct values {
@@ -142,6 +143,17 @@ struct sampling {
     int order, is_space;
 };
 
+/* Makes the plan of the recipe, or leaves that of another input where it is. */
+static void make_plan(void)
+{
+    const size_t size = scarp_recipe_plan_size(&recipe);
+    const enum scarp_status status = scarp_recipe_plan_make(&recipe, plan, sizeof plan);
+    MUST(status == (size == 0             ? SCARP_ERROR_PARAMETER
+                    : size <= sizeof plan ? SCARP_OK
+                                          : SCARP_ERROR_SIZE),
+         "a plan of %zu bytes: %d", size, (int)status);
+}
+
 static struct sampling sampling_of(const uint8_t header[HEADER_SIZE])
 {
     const uint8_t which = header[HEADER_WHICH];
@@ -150,6 +162,10 @@ static struct sampling sampling_of(const uint8_t header[HEADER_SIZE])
     sampling.which[0] = which < 128 ? which % 12 : SCARP_RECIPE_PARTS + which % 64;
     sampling.scratch.size = sizeof memory - header[HEADER_PLACE];
     sampling.scratch.memory = header[HEADER_ORDER] < 128 ? memory : NULL;
+    sampling.scratch.plan = header[HEADER_ORDER] / 32 % 2 == 0 ? plan : NULL;
+    if (header[HEADER_ORDER] / 16 % 2 == 0) {
+        make_plan();
+    }
     return sampling;
 }
 
@@ -200,7 +216,10 @@ static void check_sets(struct sampling *sampling, const uint8_t header[HEADER_SI
     static struct values reference, met;
     const enum scarp_isa before = scarp_isa_active();
     scarp_isa_select(SCARP_ISA_SCALAR);
+    const void *const with = sampling->scratch.plan;
+    sampling->scratch.plan = NULL;
     const enum scarp_status status = sample(&recipe, sampling, header, NULL, &reference);
+    sampling->scratch.plan = with;
     const enum scarp_status again = sample(&recipe, sampling, header, NULL, &met);
     MUST(again == status && (status != SCARP_OK || is_same(&reference, &met)),
          "it depends on what was in memory");

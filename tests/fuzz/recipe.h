@@ -7,10 +7,11 @@
 
 /* Before the text of a recipe: how it is sampled, and what its parameters become */
 enum recipe_header {
-    HEADER_ORDER,   /* of derivatives, modulo 3; from 128 on without scratch memory */
-    HEADER_WHICH,   /* 0: the outputs; up to 127 a statement; else a part */
-    HEADER_PLACE,   /* origin, and what scratch memory lacks */
-    HEADER_STEP,    /* the low bits; from 128 on coordinates that are not finite are among them */
+    HEADER_ORDER, /* of derivatives, modulo 3; bit 7: no scratch memory; 5: no plan; 4: a plan of an
+                      input before */
+    HEADER_WHICH, /* 0: the outputs; up to 127 a statement; else a part */
+    HEADER_PLACE, /* origin, and what scratch memory lacks */
+    HEADER_STEP,  /* the low bits; from 128 on coordinates that are not finite are among them */
     HEADER_SHADER,  /* odd: a shader, whose language and order follow; from 192 on its answers */
     HEADER_SETTING, /* of parameters, as a part of their intervals */
     HEADER_SIZE

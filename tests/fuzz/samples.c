@@ -118,7 +118,7 @@ static void check_values(const struct fuzz_call *call, const struct fuzz_points 
 static void check_plans(struct draw *d, struct fuzz_call *call, struct fuzz_noise *noise,
                         int dimensions, enum scarp_status status)
 {
-    static struct scarp_plan plan;
+    static struct scarp_plan plan, of_warp[FUZZ_LEVELS];
     struct scarp_noise *const top = &noise->level[0];
     top->plan = NULL;
     memset(&plan, POISON, sizeof plan);
@@ -132,6 +132,13 @@ static void check_plans(struct draw *d, struct fuzz_call *call, struct fuzz_nois
         fuzz_must(scarp_isa_select(isa) == SCARP_OK);
     }
     top->plan = &plan;
+    for (int i = 1; i < FUZZ_LEVELS && noise->level[i - 1].warp != NULL; i++) {
+        if (draw_below(d, 2) != 0) {
+            fuzz_must(scarp_vector_plan_make(&noise->level[i], dimensions, &of_warp[i]) ==
+                      SCARP_OK);
+            noise->level[i].plan = &of_warp[i];
+        }
+    }
     fuzz_must(fuzz_same(call));
     struct scarp_noise changed = *top;
     changed.seed ^= 1;
@@ -139,7 +146,9 @@ static void check_plans(struct draw *d, struct fuzz_call *call, struct fuzz_nois
     if (scarp_plan_make(&changed, dimensions, &plan) == SCARP_OK) {
         fuzz_must(fuzz_same(call));
     }
-    top->plan = NULL;
+    for (int i = 0; i < FUZZ_LEVELS; i++) {
+        noise->level[i].plan = NULL;
+    }
     fuzz_must(scarp_isa_select(SCARP_ISA_NONE) == SCARP_OK);
 }
 
