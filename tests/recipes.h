@@ -32,6 +32,17 @@ static inline struct scarp_samples recipe_samples(float *first, size_t points, i
     return s;
 }
 
+/* Whether numbers have the same bits; NaN is NaN. */
+static inline int recipe_same(const float *a, const float *b, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (memcmp(&a[i], &b[i], sizeof a[i]) != 0 && !(a[i] != a[i] && b[i] != b[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* A statement; one that is not there is all zeros. */
 static inline struct scarp_recipe_entry recipe_entry(const struct scarp_recipe *of, size_t number)
 {
