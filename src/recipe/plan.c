@@ -7,7 +7,8 @@
 #include "graph.h"
 
 /* A noise in the plane or in space, as a noise or as vector noise. */
-enum { KINDS = 4, SLOTS = RECIPE_NOISES * KINDS };
+#define KINDS 4 /* of plans for a noise */
+#define SLOTS (RECIPE_NOISES * KINDS)
 
 struct recipe_plan {
     uint64_t mark;

@@ -23,8 +23,8 @@
 struct scheduler {
     const struct recipe *recipe;
     struct recipe_schedule *to;
-    struct set live, done;
-    struct set safe;                /* see skips.h */
+    struct node_set live, done;
+    struct node_set safe;           /* see skips.h */
     uint8_t need[RECIPE_NODES];     /* registers */
     uint8_t position[RECIPE_NODES]; /* of the step */
     uint8_t cost[RECIPE_NODES];     /* octaves, of all that is needed */
@@ -116,7 +116,7 @@ static int is_free(const struct scheduler *s, int gate, int n)
     return s->cost[n] == 0 || (is_column(s, n) && !is_column(s, gate));
 }
 
-static void put_bounding(const struct scheduler *s, struct set *set, int n)
+static void put_bounding(const struct scheduler *s, struct node_set *set, int n)
 {
     int16_t by[2];
     const int count = scarpi_recipe_bounded_by(s->recipe, n, by);
@@ -128,7 +128,7 @@ static void put_bounding(const struct scheduler *s, struct set *set, int n)
 /* The free nodes from which the bounds of nodes in a set follow, as a gate sees them; numbers are
    none of them. */
 enum { FREE_NODES = 8 };
-static int find_free(const struct scheduler *s, int gate, struct set *below,
+static int find_free(const struct scheduler *s, int gate, struct node_set *below,
                      int16_t free[FREE_NODES])
 {
     int count = 0;
@@ -206,7 +206,7 @@ static int in_order(const struct scheduler *s, int n, int16_t before[BEFORE])
 {
     int slopes, first = 0;
     if (is_bounded_gate(s, n)) {
-        struct set below = {{0}};
+        struct node_set below = {{0}};
         put_bounding(s, &below, n);
         first = find_free(s, n, &below, before);
     }
@@ -267,7 +267,7 @@ static void add_all(struct scheduler *s, const int16_t *roots, int count)
 }
 
 /* Adds what a node reads to a set, but for one operand. */
-static void put_reads(const struct scheduler *s, struct set *set, int n, int but)
+static void put_reads(const struct scheduler *s, struct node_set *set, int n, int but)
 {
     int16_t reads[RECIPE_READS];
     int slopes;
@@ -290,10 +290,10 @@ static int may_be_left_out(const struct scheduler *s, const struct recipe_guard 
 }
 
 /* The nodes that may be left out, if noise is among them. Returns the first step; -1: none. */
-static int find_inside(const struct scheduler *s, const struct set *roots,
-                       const struct recipe_guard *guard, struct set *inside)
+static int find_inside(const struct scheduler *s, const struct node_set *roots,
+                       const struct recipe_guard *guard, struct node_set *inside)
 {
-    struct set below = {{0}}, outside = *roots; /* outside: read by others, too */
+    struct node_set below = {{0}}, outside = *roots; /* outside: read by others, too */
     int has_noise = 0, first = s->to->steps;
     put(&below, s->recipe->node[guard->gate].in[guard->operand]);
     for (int n = s->recipe->nodes - 1; n >= 0; n--) {
@@ -317,7 +317,7 @@ static int find_inside(const struct scheduler *s, const struct set *roots,
 static struct recipe_interval best_bounds(const struct scheduler *s, int gate, int n, int step,
                                           int high)
 {
-    struct set below = {{0}};
+    struct node_set below = {{0}};
     int16_t free[FREE_NODES];
     struct recipe_interval in = s->recipe->node[n].interval;
     put(&below, n);
@@ -344,9 +344,9 @@ static int can_skip(const struct scheduler *s, const struct recipe_guard *guard)
 }
 
 /* Guards what is needed for one operand of a gate alone. */
-static void add_guard(struct scheduler *s, const struct set *roots, struct recipe_guard guard)
+static void add_guard(struct scheduler *s, const struct node_set *roots, struct recipe_guard guard)
 {
-    struct set inside = {{0}};
+    struct node_set inside = {{0}};
     const int first = find_inside(s, roots, &guard, &inside);
     guard.first = (uint8_t)first;
     if (first < 0 || s->to->guards == RECIPE_GUARDS ||
@@ -364,7 +364,7 @@ static void add_guard(struct scheduler *s, const struct set *roots, struct recip
 /* From gates that are computed late to those within their guards */
 static void add_guards(struct scheduler *s, const int16_t *roots, int count)
 {
-    struct set is_root = {{0}};
+    struct node_set is_root = {{0}};
     for (int i = 0; i < count; i++) {
         put(&is_root, roots[i]);
     }
@@ -470,7 +470,7 @@ static void set_registers(struct scheduler *s, const int16_t *roots, int count)
 /* Finds the roots that may be computed where the caller wants them. */
 static void find_alone(struct scheduler *s, const int16_t *roots, int count)
 {
-    struct set read = {{0}};
+    struct node_set read = {{0}};
     for (int k = 0; k < s->to->steps; k++) {
         put_reads(s, &read, s->to->step[k], -1);
     }

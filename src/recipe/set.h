@@ -7,16 +7,16 @@
 
 #include "recipe.h"
 
-struct set {
+struct node_set {
     uint64_t word[RECIPE_NODES / 64];
 };
 
-static inline int has(const struct set *set, int n)
+static inline int has(const struct node_set *set, int n)
 {
     return (int)(set->word[(unsigned)n / 64] >> (unsigned)n % 64 & 1);
 }
 
-static inline void put(struct set *set, int n)
+static inline void put(struct node_set *set, int n)
 {
     set->word[(unsigned)n / 64] |= UINT64_C(1) << (unsigned)n % 64;
 }

@@ -138,7 +138,7 @@ static bool is_place_near(const struct recipe *recipe, int place, const bounds *
     return near;
 }
 
-NOINLINE void scarpi_recipe_find_safe(const struct recipe *recipe, struct set *safe)
+NOINLINE void scarpi_recipe_find_safe(const struct recipe *recipe, struct node_set *safe)
 {
     const struct scarp_box box = {{-NEAR, -NEAR, -NEAR}, {NEAR, NEAR, NEAR}};
     bounds of[RECIPE_NODES];
@@ -239,7 +239,7 @@ static bounds glanced(size_t count, const float *value)
 
 /* What the bounds of some nodes in a chunk follow from. */
 struct view {
-    struct set needed, pending; /* pending: not computed yet */
+    struct node_set needed, pending; /* pending: not computed yet */
     int16_t known[RECIPE_NODES];
     int count;    /* of those that are known */
     int from, to; /* steps that are not computed yet */

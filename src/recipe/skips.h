@@ -28,7 +28,7 @@ int scarpi_recipe_side_of(const struct recipe *recipe, int gate, struct recipe_i
                           struct recipe_interval kept);
 
 /* Finds the nodes that are finite numbers wherever coordinates are near: see is_near() there. */
-void scarpi_recipe_find_safe(const struct recipe *recipe, struct set *safe);
+void scarpi_recipe_find_safe(const struct recipe *recipe, struct node_set *safe);
 
 /* What becomes of a guard that bounds decide, in front of its first step: a state. */
 int scarpi_recipe_decide(struct recipe_machine *m, int guard);
