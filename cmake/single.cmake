@@ -120,6 +120,7 @@ function(names_of text variable macros)
   # Enumerators
   string(REGEX MATCHALL "\nenum [a-z_0-9 ]*{[^}]*}" enums "${plain}")
   foreach(body IN LISTS enums)
+    string(REGEX REPLACE "=[^,}]*" "" body "${body}") # values, which may use other names
     string(REGEX MATCHALL "[A-Z][A-Z_0-9]+" found "${body}")
     list(APPEND names ${found})
   endforeach()

@@ -10,12 +10,6 @@
 #define KINDS 4 /* of plans for a noise */
 #define SLOTS (RECIPE_NOISES * KINDS)
 
-struct recipe_plan {
-    uint64_t mark;
-    uint32_t slots;
-    uint32_t at[]; /* bytes from here to the constants of each; 0: there are none */
-};
-
 #define ALIGNMENT _Alignof(struct scarp_plan)
 
 /* "SCRR" and the version: octaves may differ between versions. */

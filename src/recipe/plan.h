@@ -12,6 +12,12 @@
 
 #include "recipe.h"
 
+struct recipe_plan {
+    uint64_t mark;
+    uint32_t slots;
+    uint32_t at[]; /* bytes from the start to the constants of each; 0: there are none */
+};
+
 /* The memory that the plan of a recipe without errors takes. */
 size_t scarpi_recipe_plan_bytes(const struct recipe *recipe);
 

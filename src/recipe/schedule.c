@@ -33,7 +33,7 @@ struct scheduler {
 static void find_live(struct scheduler *s, const int16_t *roots, int count)
 {
     for (int i = 0; i < count; i++) {
-        put(&s->live, roots[i]);
+        put_node(&s->live, roots[i]);
     }
     for (int n = s->recipe->nodes - 1; n >= 0; n--) {
         int16_t reads[RECIPE_READS];
@@ -44,7 +44,7 @@ static void find_live(struct scheduler *s, const int16_t *roots, int count)
         for (int i = 0; i < read; i++) {
             const int is_base = (traits & NEEDS_SLOPES) != 0 && i == 0;
             const int extra = i < slopes ? s->to->extra_of[n] + is_base : 0;
-            put(&s->live, reads[i]);
+            put_node(&s->live, reads[i]);
             if (s->to->extra_of[reads[i]] < extra) {
                 s->to->extra_of[reads[i]] = (uint8_t)extra;
             }
@@ -121,7 +121,7 @@ static void put_bounding(const struct scheduler *s, struct node_set *set, int n)
     int16_t by[2];
     const int count = scarpi_recipe_bounded_by(s->recipe, n, by);
     for (int i = 0; i < count; i++) {
-        put(set, by[i]);
+        put_node(set, by[i]);
     }
 }
 
@@ -245,7 +245,7 @@ static void add_steps(struct scheduler *s, int root)
             next[++depth] = 0;
             continue;
         }
-        put(&s->done, n);
+        put_node(&s->done, n);
         s->position[n] = (uint8_t)s->to->steps;
         s->to->step[s->to->steps++] = (uint8_t)n;
         depth--;
@@ -274,7 +274,7 @@ static void put_reads(const struct scheduler *s, struct node_set *set, int n, in
     const int count = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
     for (int i = 0; i < count; i++) {
         if (i != but) {
-            put(set, reads[i]);
+            put_node(set, reads[i]);
         }
     }
 }
@@ -295,13 +295,13 @@ static int find_inside(const struct scheduler *s, const struct node_set *roots,
 {
     struct node_set below = {{0}}, outside = *roots; /* outside: read by others, too */
     int has_noise = 0, first = s->to->steps;
-    put(&below, s->recipe->node[guard->gate].in[guard->operand]);
+    put_node(&below, s->recipe->node[guard->gate].in[guard->operand]);
     for (int n = s->recipe->nodes - 1; n >= 0; n--) {
         if (!has(&s->live, n)) {
             continue;
         }
         if (has(&below, n) && !has(&outside, n) && may_be_left_out(s, guard, n)) {
-            put(inside, n);
+            put_node(inside, n);
             put_reads(s, &below, n, -1);
             has_noise = has_noise || is_worth_it(&s->recipe->node[n]);
             first = s->position[n] < first ? s->position[n] : first;
@@ -320,7 +320,7 @@ static struct recipe_interval best_bounds(const struct scheduler *s, int gate, i
     struct node_set below = {{0}};
     int16_t free[FREE_NODES];
     struct recipe_interval in = s->recipe->node[n].interval;
-    put(&below, n);
+    put_node(&below, n);
     if (s->position[n] < step || find_free(s, gate, &below, free) > 0) {
         in.lowest = in.highest = high ? in.highest : in.lowest;
     }
@@ -366,7 +366,7 @@ static void add_guards(struct scheduler *s, const int16_t *roots, int count)
 {
     struct node_set is_root = {{0}};
     for (int i = 0; i < count; i++) {
-        put(&is_root, roots[i]);
+        put_node(&is_root, roots[i]);
     }
     for (int k = s->to->steps - 1; k >= 0; k--) {
         const int gate = s->to->step[k], mask = mask_of(s->recipe, gate);

@@ -16,7 +16,7 @@ static inline int has(const struct node_set *set, int n)
     return (int)(set->word[(unsigned)n / 64] >> (unsigned)n % 64 & 1);
 }
 
-static inline void put(struct node_set *set, int n)
+static inline void put_node(struct node_set *set, int n)
 {
     set->word[(unsigned)n / 64] |= UINT64_C(1) << (unsigned)n % 64;
 }

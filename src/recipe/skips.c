@@ -155,7 +155,7 @@ NOINLINE void scarpi_recipe_find_safe(const struct recipe *recipe, struct node_s
             is_safe = is_safe && has(safe, reads[i]);
         }
         if (is_safe && is_place_near(recipe, node->place, of, &box)) {
-            put(safe, n);
+            put_node(safe, n);
         }
     }
 }
@@ -248,7 +248,7 @@ struct view {
 static void add_to_view(struct view *v, int node)
 {
     if (!has(&v->needed, node)) {
-        put(&v->needed, node);
+        put_node(&v->needed, node);
         if (!has(&v->pending, node)) {
             v->known[v->count++] = (int16_t)node;
         }
@@ -265,7 +265,7 @@ static void look(const struct recipe_machine *m, const struct recipe_guard *g, s
     v->count = 0;
     v->from = v->to = g->first;
     while (m->schedule->step[v->to] != g->gate) {
-        put(&v->pending, m->schedule->step[v->to++]);
+        put_node(&v->pending, m->schedule->step[v->to++]);
     }
     for (int k = v->to;; k--) {
         for (int i = 0; i < count; i++) {
