@@ -35,9 +35,24 @@ static inline union numbers numbers_of(const struct scarp_chain *call, unsigned 
     return (union numbers){{k[0], k[1], k[2], k[3]}};
 }
 
-/* Each function is the call of its row of functions.def, which shaders have, too. */
+static inline float element(const float *array, size_t i)
+{
+    return array != NULL ? array[i] : 0.0f;
+}
+
+/* Element i of the partial derivatives. */
+static inline struct partials partials_at(const float *const of[PARTIALS], size_t i)
+{
+    const struct partials p = {element(of[PARTIAL_F], i),  element(of[PARTIAL_A], i),
+                               element(of[PARTIAL_B], i),  element(of[PARTIAL_AA], i),
+                               element(of[PARTIAL_AB], i), element(of[PARTIAL_BB], i)};
+    return p;
+}
+
+/* Each function is the call of its row of functions.def, which shaders have, too; i is the element
+   of partial derivatives. */
 WHOLE struct sample chained(const struct scarp_chain *call, const struct sample in[CHAIN_INPUTS],
-                            const struct partials *given)
+                            size_t i)
 {
     const struct sample a = in[CHAIN_A], b = in[CHAIN_B], m = in[CHAIN_M];
     union numbers k = {{0.0f, 0.0f, 0.0f, 0.0f}};
@@ -55,15 +70,14 @@ WHOLE struct sample chained(const struct scarp_chain *call, const struct sample 
     OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, formula, which)
     switch (call->function) {
 #include "../plan/functions.def"
-    case CHAIN_APPLY1: s = chain_apply1(a, given->f, given->a, given->aa); break;
-    case CHAIN_APPLY2: s = chain_apply2(a, b, *given); break;
+    case CHAIN_APPLY1: {
+        const struct partials p = partials_at(call->partial, i);
+        s = chain_apply1(a, p.f, p.a, p.aa);
+        break;
+    }
+    case CHAIN_APPLY2: s = chain_apply2(a, b, partials_at(call->partial, i)); break;
     }
     return s;
-}
-
-static inline float element(const float *array, size_t i)
-{
-    return array != NULL ? array[i] : 0.0f;
 }
 
 /* Element i of an input. What the call does not have of it is 0. */
@@ -78,20 +92,16 @@ static inline struct sample input_at(const float *const of[OUTPUTS], size_t i)
 /* Reads all that a point needs before anything is written: outputs may be where inputs are. */
 static inline void chain_at(const struct scarp_chain *call, size_t i)
 {
-    const float *const *const given = call->partial;
-    const struct partials partials = {element(given[PARTIAL_F], i),  element(given[PARTIAL_A], i),
-                                      element(given[PARTIAL_B], i),  element(given[PARTIAL_AA], i),
-                                      element(given[PARTIAL_AB], i), element(given[PARTIAL_BB], i)};
     struct sample in[CHAIN_INPUTS];
     for (int input = 0; input < CHAIN_INPUTS; input++) {
         in[input] = input_at(call->in[input], i);
     }
-    struct sampled of = {chained(call, in, &partials), 0.0f};
+    struct sampled of = {chained(call, in, i), 0.0f};
     if (call->out[DPHASE] != NULL) {
         for (int input = 0; input < CHAIN_INPUTS; input++) {
             in[input] = along_phase(in[input].value, element(call->in[input][DPHASE], i));
         }
-        of.by_phase = chained(call, in, &partials).gradient.x;
+        of.by_phase = chained(call, in, i).gradient.x;
     }
     put(call->out, i, &of);
 }

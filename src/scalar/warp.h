@@ -18,18 +18,15 @@ static struct point moved(const struct point *x, struct displaced y)
     return at;
 }
 
-/* The noise of a plan, or a component of its potentials, with the warps: from the deepest one,
-   which looks at x, to the noise. */
-static struct sampled component_at(const struct scarp_call_plan *plan, const struct point *x,
-                                   int dimensions, int component)
+/* A component of the potentials of a plan that has warps: from the deepest one, which looks at x, to
+   the noise. */
+static struct sampled warped_at(const struct scarp_call_plan *plan, const struct point *x,
+                                int dimensions, int component)
 {
     const int depth = plan->warps.depth;
     struct displaced y = not_displaced();
     struct point at = *x;
     struct scarp_call_plan of_level;
-    if (depth == 0 && !plan->warps.vector) {
-        return sum_octaves(plan, x, dimensions);
-    }
     for (int level = depth; level > 0; level--) {
         struct sample of[3] = {constant(0.0f), constant(0.0f), constant(0.0f)};
         for (int i = 0; i < dimensions; i++) {
@@ -44,10 +41,22 @@ static struct sampled component_at(const struct scarp_call_plan *plan, const str
     }
     of_level = scarpi_component_plan(plan, 0, component);
     struct sampled s = sum_octaves(&of_level, &at, dimensions);
-    if (depth > 0) {
-        s.s = composed(s.s, y, dimensions);
-    }
+    s.s = composed(s.s, y, dimensions);
     return s;
+}
+
+/* The noise of a plan, or a component of its potentials, with the warps. */
+static struct sampled component_at(const struct scarp_call_plan *plan, const struct point *x,
+                                   int dimensions, int component)
+{
+    if (plan->warps.depth > 0) {
+        return warped_at(plan, x, dimensions, component);
+    }
+    if (!plan->warps.vector) {
+        return sum_octaves(plan, x, dimensions);
+    }
+    const struct scarp_call_plan of_component = scarpi_component_plan(plan, 0, component);
+    return sum_octaves(&of_component, x, dimensions);
 }
 
 static struct sampled sample_at(const struct scarp_call_plan *plan, const struct point *x,
