@@ -27,6 +27,14 @@ scarp_test_program(test_recipe_plan)
 scarp_add_isa_tests(recipe.plan recipe IN wasm:wasm128 NOT emulated:scalar sanitized:scalar,generic,sse4.1
                     COMMAND test_recipe_plan)
 
+scarp_test_program(test_recipe_grids)
+foreach(isa IN LISTS isas)
+  scarp_add_sized_test(recipe.grids.${isa} recipe IN wasm
+                       NOT debug:sse4.1 emulated:scalar sanitized:scalar,generic,sse4.1,avx2
+                       SIZES 300 20 4 0
+                       COMMAND test_recipe_grids ${isa} {})
+endforeach()
+
 scarp_test_program(test_recipe_oracle SOURCES oracle_recipe.c oracle_recipe_text.c oracle_gullies.c ${oracle_sources})
 scarp_add_sized_test(recipe.oracle recipe IN wasm SIZES 10000 400 100 10 COMMAND test_recipe_oracle {})
 

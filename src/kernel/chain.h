@@ -5,7 +5,8 @@
  * Each output is a line: a loop over one array, or a few, which writes another. Lines of functions
  * that are given by partial derivatives take these from arrays, which are made first (or come from
  * the caller). All lines of a block are written before the outputs are, which may be where inputs
- * are. Calls for values only need none of that.
+ * are; but where each output needs only its own member of the inputs, they are written at once.
+ * Calls for values only need none of that.
  */
 #ifndef SCARP_KERNEL_CHAIN_H
 #define SCARP_KERNEL_CHAIN_H
@@ -424,6 +425,39 @@ static void chain_find(struct chain_sources *from, const struct scarp_chain *cal
     }
 }
 
+/* Whether outputs need only their own members of the inputs, and are where no others are. */
+static int chain_is_straight(const struct scarp_chain *call)
+{
+    int member[OUTPUTS], members = 0;
+    for (int m = 0; m < OUTPUTS; m++) {
+        member[members] = m;
+        members += call->out[m] != NULL;
+    }
+    int straight = call->function == CHAIN_AFFINE || call->function == CHAIN_ADD;
+    for (int i = 0; i < members; i++) {
+        const float *const out = call->out[member[i]];
+        for (int k = 0; k < members; k++) {
+            straight &= i == k || (out != call->in[CHAIN_A][member[k]] &&
+                                   out != call->in[CHAIN_B][member[k]]);
+        }
+    }
+    return straight;
+}
+
+/* Computes `count` points from `first` on, a multiple of VEC_LANES, where outputs are straight. */
+static void chain_straight(const struct scarp_chain *call, size_t first, size_t count)
+{
+    struct chain_sources from = {.scale = call->number[CHAIN_SCALE],
+                                 .offset = call->number[CHAIN_OFFSET]};
+    for (int m = 0; m < OUTPUTS; m++) {
+        if (call->out[m] != NULL) {
+            const int order = m == VALUE ? 0 : m < DXX || m == DPHASE ? 1 : 2;
+            chain_find(&from, call, first, m, order);
+            chain_write(chain_lines[call->function][order], &from, count, call->out[m] + first);
+        }
+    }
+}
+
 /* Computes `count` points from `first` on, a multiple of VEC_LANES, and writes `keep` of them. */
 static void chain_block(const struct scarp_chain *call, size_t first, size_t count, size_t keep)
 {
@@ -567,7 +601,11 @@ static void chain(const struct scarp_chain *call, size_t count)
     }
     const size_t tail = count % VEC_LANES;
     const size_t whole = count - tail;
-    for (size_t first = 0; first < whole; first += CHAIN_POINTS) {
+    const int straight = whole > 0 && chain_is_straight(call);
+    if (straight) {
+        chain_straight(call, 0, whole);
+    }
+    for (size_t first = 0; !straight && first < whole; first += CHAIN_POINTS) {
         const size_t left = whole - first;
         const size_t points = left < CHAIN_POINTS ? left : CHAIN_POINTS;
         chain_block(call, first, points, points);

@@ -6,14 +6,20 @@
 
 #include "../calls/run.h"
 #include "graph.h"
+#include "grids.h"
 #include "machine.h"
 #include "plan.h"
 
 #define ALIGNMENT 64
-#define GRANULE 16       /* registers have room for a multiple of this many points */
-#define PIECE 64         /* columns of a grid that go through the steps together */
-#define MOST_POINTS 4096 /* of a register: more would leave the caches */
-#define BEST_POINTS 4096 /* that scratch memory should have room for, in large calls */
+#define GRANULE 16 /* registers have room for a multiple of this many points */
+
+/* Of registers, or of outputs where there are none: more would leave the second-level cache. Pieces
+   of grids are large, since each is a call of its own for each noise; but chunks that masks may
+   hide are not, and those of points gain nothing. */
+#define MOST_BYTES ((size_t)1 << 19)
+#define MOST_POINTS ((size_t)4096)
+#define MOST_OF_GRIDS ((size_t)65536)
+#define BEST_POINTS ((size_t)4096) /* that scratch memory should have room for, in large calls */
 
 /* The machine lies in the scratch memory, too, since kernels need nearly all the stack of a call.
  */
@@ -96,35 +102,59 @@ static int set_orders(struct recipe_machine *m, const struct recipe_evaluation *
     return highest;
 }
 
+/* How many registers a call needs: none if all steps run in the caller's arrays. */
+static size_t registers_of(const struct recipe_machine *m, const struct recipe_evaluation *call)
+{
+    const unsigned directs = scarpi_recipe_find_directs(m, call);
+    int is_direct = call->grid == NULL || scarpi_recipe_has_no_gaps(call);
+    for (int k = 0; k < m->schedule->steps; k++) {
+        const int home = m->schedule->home_of[m->schedule->step[k]];
+        is_direct = is_direct && home > 0 && (directs >> (home - 1) & 1) != 0;
+    }
+    return is_direct ? 0 : (size_t)m->schedule->registers;
+}
+
 /* Divides what is left of the scratch memory into registers and positions. Returns 0 if no point
    fits in. */
-static int set_memory(struct recipe_machine *m, int dimensions, int order, size_t size)
+static int set_memory(struct recipe_machine *m, const struct recipe_evaluation *call, int order,
+                      size_t size)
 {
+    const int dimensions = call->recipe->dimensions;
+    bool has_positions = false;
+    for (int k = 0; k < m->schedule->steps; k++) {
+        has_positions = has_positions ||
+                        scarpi_recipe_needs_positions(m, m->schedule->step[k], call->grid != NULL);
+    }
     m->floats = arrays_of(dimensions, order);
-    const size_t each = bytes_for((size_t)m->schedule->registers, m->floats, dimensions, GRANULE) -
-                        MACHINE_BYTES - ALIGNMENT;
-    m->room = size / each * GRANULE;
-    m->room = m->room < MOST_POINTS ? m->room : MOST_POINTS;
+    const size_t registers = registers_of(m, call);
+    const size_t used = registers > 0 ? registers : (size_t)call->outputs;
+    const size_t positions = has_positions ? (size_t)dimensions * sizeof(double) : 0;
+    const size_t each = registers * m->floats * sizeof(float) + positions;
+    const size_t most = MOST_BYTES / (used * m->floats * sizeof(float) + positions);
+    const size_t limit =
+        call->grid != NULL && m->schedule->guards == 0 ? MOST_OF_GRIDS : MOST_POINTS;
+    m->room = (most < limit ? most : limit) / GRANULE * GRANULE;
+    m->room = each > 0 && size / each < m->room ? size / each / GRANULE * GRANULE : m->room;
     char *at = (char *)m + MACHINE_BYTES;
     for (int i = 0; i < dimensions; i++) {
         m->position[i] = at;
-        at += m->room * sizeof(double);
+        at += has_positions ? m->room * sizeof(double) : 0;
     }
     m->registers = (float *)(void *)at;
     return m->room > 0;
 }
 
-/* Stops at the first step that fails. */
-static KEEP_STATUS enum scarp_status run_steps(struct recipe_machine *m,
-                                               const struct recipe_chunk *chunk, int from, int to)
+enum scarp_status scarpi_recipe_run_steps(struct recipe_machine *m,
+                                          const struct recipe_chunk *chunk, int from, int to)
 {
     enum scarp_status status = SCARP_OK;
     m->chunk = chunk;
     memset(m->state, GUARD_UNKNOWN, sizeof m->state);
     for (int k = from; status == SCARP_OK && k < to; k++) {
-        const int n = m->schedule->step[k];
-        if (m->schedule->guard_of[n] != 0 &&
-            scarpi_recipe_is_left_out(m, m->schedule->guard_of[n])) {
+        const int n = m->schedule->step[k], home = m->schedule->home_of[n];
+        if ((home > 0 && (m->wholes >> (home - 1) & 1) != 0) ||
+            (m->schedule->guard_of[n] != 0 &&
+             scarpi_recipe_is_left_out(m, m->schedule->guard_of[n]))) {
             continue;
         }
         if (m->recipe->node[n].place >= 0) {
@@ -140,50 +170,35 @@ static KEEP_STATUS enum scarp_status run_steps(struct recipe_machine *m,
 static int has_all_members(const struct recipe_machine *m, int node,
                            const struct scarp_samples *out)
 {
-    struct scarp_samples s;
-    scarpi_recipe_find_samples(m, node, &s);
+    size_t members = 0;
     for (int i = 0; i < RECIPE_MEMBERS; i++) {
-        if ((recipe_member(&s, i) == NULL) != (recipe_member(out, i) == NULL)) {
-            return 0;
-        }
+        members += recipe_member(out, i) != NULL;
     }
-    return 1;
+    return scarpi_recipe_order_of(out, m->recipe->dimensions) == m->order_of[node] &&
+           members == arrays_of(m->recipe->node[node].dimensions, m->order_of[node]);
 }
 
-/* The outputs that can be computed where the caller wants them; the others are copied there. */
-static unsigned find_directs(const struct recipe_machine *m, const struct recipe_evaluation *call)
+unsigned scarpi_recipe_find_directs(const struct recipe_machine *m,
+                                    const struct recipe_evaluation *call)
 {
     unsigned directs = 0;
     for (int i = 0; i < call->outputs; i++) {
-        const int is_alone = m->schedule->alone >> i & 1;
-        directs |= (unsigned)(is_alone && has_all_members(m, call->root[i], &call->out[i])) << i;
+        const int has_home = m->schedule->home_of[call->root[i]] == i + 1;
+        directs |= (unsigned)(has_home && has_all_members(m, call->root[i], &call->out[i])) << i;
     }
     return directs;
 }
 
-/* Copies outputs that are in registers: `width` elements, `step` apart from the next ones. */
-struct target {
-    size_t from; /* the first element */
-    size_t width, rows, slices, row_stride, slice_stride;
-};
-
+/* Copies outputs of points from i on that are in registers. */
 static void copy_outputs(const struct recipe_machine *m, const struct recipe_evaluation *call,
-                         unsigned directs, const struct target *to)
+                         size_t i, size_t count)
 {
-    for (int i = 0; i < call->outputs; i++) {
-        if ((directs >> i & 1) != 0) {
-            continue;
-        }
-        const struct scarp_samples s = scarpi_recipe_samples(m, call->root[i]);
-        for (int k = 0; k < RECIPE_MEMBERS; k++) {
-            const float *source = recipe_member(&s, k);
-            float *const array = recipe_member(&call->out[i], k);
-            for (size_t row = 0; array != NULL && row < to->rows * to->slices; row++) {
-                memcpy(array + to->from + row % to->rows * to->row_stride +
-                           row / to->rows * to->slice_stride,
-                       source, to->width * sizeof *array);
-                source += to->width;
-            }
+    for (int k = 0; k < call->outputs * RECIPE_MEMBERS; k++) {
+        const int output = k / RECIPE_MEMBERS, member = k % RECIPE_MEMBERS;
+        const struct scarp_samples s = scarpi_recipe_samples(m, call->root[output]);
+        float *const array = recipe_member(&call->out[output], member);
+        if (array != NULL && (m->directs >> output & 1) == 0) {
+            memcpy(array + i, recipe_member(&s, member), count * sizeof *array);
         }
     }
 }
@@ -191,110 +206,18 @@ static void copy_outputs(const struct recipe_machine *m, const struct recipe_eva
 static KEEP_STATUS enum scarp_status run_points(struct recipe_machine *m,
                                                 const struct recipe_evaluation *call)
 {
-    const unsigned directs = find_directs(m, call);
     const size_t bytes = call->has_doubles ? sizeof(double) : sizeof(float);
     enum scarp_status status = SCARP_OK;
+    m->directs = scarpi_recipe_find_directs(m, call);
     for (size_t i = 0; status == SCARP_OK && i < call->count; i += m->room) {
         struct recipe_chunk chunk = {.count =
                                          call->count - i < m->room ? call->count - i : m->room};
         for (int axis = 0; axis < call->recipe->dimensions; axis++) {
             chunk.at[axis] = (const char *)call->at[axis] + i * bytes;
         }
-        m->directs = directs;
         m->direct_from = i;
-        status = run_steps(m, &chunk, 0, m->schedule->steps);
-        copy_outputs(m, call, directs,
-                     &(struct target){.from = i, .width = chunk.count, .rows = 1, .slices = 1});
-    }
-    return status;
-}
-
-/* Repeats what was computed of the first slice for all slices of a column. */
-static void repeat_columns(const struct recipe_machine *m, size_t points, size_t slices)
-{
-    for (int k = 0; k < m->schedule->columns; k++) {
-        const struct scarp_samples s = scarpi_recipe_samples(m, m->schedule->step[k]);
-        for (int i = 0; i < RECIPE_MEMBERS; i++) {
-            float *const array = recipe_member(&s, i);
-            for (size_t slice = 1; array != NULL && slice < slices; slice++) {
-                memcpy(array + slice * points, array, points * sizeof *array);
-            }
-        }
-    }
-}
-
-/* A piece of a grid: whole columns of it, as many slices at once as there is room for. */
-static KEEP_STATUS enum scarp_status run_piece(struct recipe_machine *m,
-                                               const struct recipe_evaluation *call,
-                                               unsigned directs, const struct scarp_grid *piece)
-{
-    const struct scarp_grid *const g = call->grid;
-    const size_t points = piece->count[0] * piece->count[1];
-    const size_t slices = call->recipe->dimensions == 3 ? g->count[2] : 1;
-    const size_t most = m->room / points < slices ? m->room / points : slices;
-    const size_t from = (size_t)(piece->first[1] - g->first[1]) * g->row_stride +
-                        (size_t)(piece->first[0] - g->first[0]);
-    struct scarp_grid part = *piece;
-    struct recipe_chunk chunk = {.count = points, .grid = &part};
-    const int columns = call->recipe->dimensions == 3 ? m->schedule->columns : 0;
-    const int is_whole = piece->count[0] == g->row_stride || piece->count[1] == 1;
-    enum scarp_status status = SCARP_OK;
-    part.count[2] = 1;
-    if (columns > 0) {
-        m->directs = 0;
-        status = run_steps(m, &chunk, 0, columns);
-        repeat_columns(m, points, most);
-    }
-    for (size_t slice = 0; status == SCARP_OK && slice < slices; slice += most) {
-        part.first[2] = g->first[2] + (int64_t)slice;
-        part.count[2] = slices - slice < most ? slices - slice : most;
-        chunk.count = points * part.count[2];
-        const struct target to = {.from = from + slice * g->slice_stride,
-                                  .width = piece->count[0],
-                                  .rows = piece->count[1],
-                                  .slices = part.count[2],
-                                  .row_stride = g->row_stride,
-                                  .slice_stride = g->slice_stride};
-        const int is_tight = is_whole && (part.count[2] == 1 || g->slice_stride == points);
-        const unsigned chosen = is_tight ? directs : 0;
-        m->directs = chosen;
-        m->direct_from = to.from;
-        status = run_steps(m, &chunk, columns, m->schedule->steps);
-        copy_outputs(m, call, chosen, &to);
-    }
-    return status;
-}
-
-static KEEP_STATUS enum scarp_status run_grid(struct recipe_machine *m,
-                                              const struct recipe_evaluation *call)
-{
-    const struct scarp_grid *const g = call->grid;
-    const size_t slices = call->recipe->dimensions == 3 ? g->count[2] : 1;
-    const size_t most = m->room < PIECE ? m->room : PIECE;
-    const size_t width = g->count[0] < most ? g->count[0] : most;
-    /* In space, a piece is as deep as it is high, if there is room. */
-    size_t rows = m->room / width;
-    while (slices > 1 && rows > 1 && rows * rows > m->room / width) {
-        rows = rows / 2;
-    }
-    rows = rows < g->count[1] ? rows : g->count[1];
-    unsigned directs = find_directs(m, call);
-    enum scarp_status status = SCARP_OK;
-    for (int i = 0; i < call->outputs; i++) { /* what is computed once per column is copied */
-        for (int k = 0; k < m->schedule->columns; k++) {
-            directs &= ~((unsigned)(m->schedule->step[k] == call->root[i]) << i);
-        }
-    }
-    for (size_t row = 0; row < g->count[1]; row += rows) {
-        for (size_t column = 0; status == SCARP_OK && column < g->count[0]; column += width) {
-            struct scarp_grid piece = *g;
-            piece.row_stride = piece.slice_stride = 0;
-            piece.first[0] += (int64_t)column;
-            piece.first[1] += (int64_t)row;
-            piece.count[0] = g->count[0] - column < width ? g->count[0] - column : width;
-            piece.count[1] = g->count[1] - row < rows ? g->count[1] - row : rows;
-            status = run_piece(m, call, directs, &piece);
-        }
+        status = scarpi_recipe_run_steps(m, &chunk, 0, m->schedule->steps);
+        copy_outputs(m, call, i, chunk.count);
     }
     return status;
 }
@@ -333,7 +256,7 @@ enum scarp_status scarpi_recipe_evaluate(const struct recipe_evaluation *call)
         return SCARP_ERROR_SIZE;
     }
     struct recipe_machine *const m = (void *)((char *)call->memory + lost);
-    m->directs = 0;
+    m->directs = m->wholes = 0;
     m->recipe = call->recipe;
     m->schedule = call->schedule;
     m->plan = scarpi_recipe_plan_of(call->plan);
@@ -344,13 +267,22 @@ enum scarp_status scarpi_recipe_evaluate(const struct recipe_evaluation *call)
     if (order < 0) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    if (!set_memory(m, call->recipe->dimensions, order, call->size - lost - MACHINE_BYTES)) {
+    const bool is_whole = call->grid != NULL && scarpi_recipe_find_wholes(m, call);
+    m->has_parts = call->grid != NULL && m->schedule->first_of[m->schedule->all_axes] > 0 &&
+                   scarpi_recipe_is_finite(call->grid, call->recipe->dimensions);
+    if (!is_whole && !set_memory(m, call, order, call->size - lost - MACHINE_BYTES)) {
         return SCARP_ERROR_SIZE;
     }
     if (!asks_for_something(call)) { /* a grid may have any number of samples */
         return SCARP_OK;
     }
-    const enum scarp_status status = call->grid != NULL ? run_grid(m, call) : run_points(m, call);
+    enum scarp_status status = SCARP_OK;
+    if (m->wholes != 0) {
+        status = scarpi_recipe_run_wholes(m, call);
+    }
+    if (status == SCARP_OK && !is_whole) {
+        status = call->grid != NULL ? scarpi_recipe_run_grid(m, call) : run_points(m, call);
+    }
     if (status != SCARP_OK) {
         spoil(call);
     }

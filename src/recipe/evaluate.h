@@ -28,6 +28,13 @@ struct recipe_evaluation {
 /* Checks what is asked for, and the scratch memory, and evaluates. */
 enum scarp_status scarpi_recipe_evaluate(const struct recipe_evaluation *call);
 
+struct recipe_machine;
+
+/* The outputs that can be computed where the caller wants them, a bit for each; the others are
+   copied there. */
+unsigned scarpi_recipe_find_directs(const struct recipe_machine *m,
+                                    const struct recipe_evaluation *call);
+
 /* The order of what a call asks for; -1: something that does not exist. */
 int scarpi_recipe_order_of(const struct scarp_samples *out, int dimensions);
 

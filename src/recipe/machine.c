@@ -26,16 +26,33 @@ static void find_output(const struct scarp_samples *out, size_t from, struct sca
     }
 }
 
-void scarpi_recipe_find_samples(const struct recipe_machine *m, int node, struct scarp_samples *to)
+/* The register of a node: of steps of other axes, its copy for them. */
+static int register_of(const struct recipe_machine *m, int node)
 {
-    for (int i = 0; m->directs >> i != 0; i++) {
-        if ((m->directs >> i & 1) != 0 && m->root[i] == node) {
-            find_output(&m->out[i], m->direct_from, to);
-            return;
+    const struct recipe_schedule *const s = m->schedule;
+    for (int i = 0; m->has_parts && s->axes_of[node] != m->axes && i < s->copies; i++) {
+        if (s->copy[i].node == node && s->copy[i].axes == m->axes) {
+            return s->copy[i].in_register;
         }
     }
+    return s->register_of[node];
+}
+
+void scarpi_recipe_find_samples(const struct recipe_machine *m, int node, struct scarp_samples *to)
+{
+    const int home = m->schedule->home_of[node];
+    if (home > 0 && (m->directs >> (home - 1) & 1) != 0) {
+        find_output(&m->out[home - 1], m->direct_from, to);
+    } else {
+        scarpi_recipe_find_in_register(m, node, register_of(m, node), to);
+    }
+}
+
+void scarpi_recipe_find_in_register(const struct recipe_machine *m, int node, int k,
+                                    struct scarp_samples *to)
+{
     const int order = m->order_of[node], is_space = m->recipe->node[node].dimensions == 3;
-    float *const at = m->registers + (size_t)m->schedule->register_of[node] * m->floats * m->room;
+    float *const at = m->registers + (size_t)k * m->floats * m->room;
     float *next = at;
     clear(to);
     to->value = at;

@@ -30,13 +30,20 @@ struct recipe_chunk {
     const struct scarp_grid *grid; /* without gaps between rows and slices; NULL: arrays */
 };
 
+/* A part of a grid: samples from `from` on along each axis. */
+struct recipe_box {
+    size_t from[3], count[3];
+};
+
 struct recipe_machine {
     const struct recipe *recipe;
     const struct recipe_schedule *schedule;
     const struct recipe_plan *plan; /* constants of noises; NULL: there are none */
     bool has_doubles;
-    size_t room;   /* points of a register */
-    size_t floats; /* of a register, for each point */
+    bool has_parts; /* steps run once along axes on which they do not depend */
+    uint8_t axes;   /* then: those of the steps that run */
+    size_t room;    /* points of a register */
+    size_t floats;  /* of a register, for each point */
     float *registers;
     void *position[3];                /* arrays of `room` doubles */
     uint8_t order_of[RECIPE_NODES];   /* of the derivatives that are computed */
@@ -45,11 +52,17 @@ struct recipe_machine {
     struct scarp_noise noise[5];     /* of the step that runs, with its warps */
     const struct scarp_samples *out; /* the caller's arrays */
     const int16_t *root;             /* their nodes */
-    unsigned directs;                /* a bit for each output that is computed there, */
+    unsigned wholes;                 /* a bit for each output that is computed already */
+    unsigned directs;                /* for each that is computed in the caller's arrays, */
     size_t direct_from;              /* from this element on */
+    /* Of grids, by axes: for which box the steps ran, if they did */
+    struct recipe_box box[RECIPE_ALL_AXES + 1];
+    bool has_box[RECIPE_ALL_AXES + 1];
+    unsigned at_once; /* a bit for each set of axes whose box is all of the grid */
 };
 
-/* machine.c: where a node is, the members that are computed of it; others are NULL. */
+/* machine.c: where a node is for the steps that run, the members that are computed of it; others
+   are NULL. */
 void scarpi_recipe_find_samples(const struct recipe_machine *m, int node, struct scarp_samples *to);
 
 /* The same as a result, which compilers copy: that takes some 10 ns if it happens at once. */
@@ -60,8 +73,30 @@ static inline struct scarp_samples scarpi_recipe_samples(const struct recipe_mac
     return s;
 }
 
+/* machine.c: the members of a node in a register. */
+void scarpi_recipe_find_in_register(const struct recipe_machine *m, int node, int k,
+                                    struct scarp_samples *to);
+
+/* evaluate.c: runs steps over a chunk, and stops at the first one that fails. */
+KEEP_STATUS enum scarp_status scarpi_recipe_run_steps(struct recipe_machine *m,
+                                                      const struct recipe_chunk *chunk, int from,
+                                                      int to);
+
+/* coordinates.c: the coordinates of a place, in arrays of the machine. */
+void scarpi_recipe_find_positions(const struct recipe_machine *m, int place);
+
+/* coordinates.c: one coordinate, in double, of a place that has no frame and no rest there. */
+void scarpi_recipe_set_coordinate(const struct recipe_machine *m, int place, int axis, float *to);
+
+/* positions.c: whether a node needs arrays for the coordinates of its place. */
+bool scarpi_recipe_needs_positions(const struct recipe_machine *m, int node, bool is_grid);
+
 /* positions.c: nodes that have a place. */
 KEEP_STATUS enum scarp_status scarpi_recipe_run_placed(struct recipe_machine *m, int node);
+
+/* positions.c: a noise whose derivatives are those of the points, or of u. */
+KEEP_STATUS enum scarp_status scarpi_recipe_run_noise(struct recipe_machine *m, int node,
+                                                      const struct scarp_samples *out);
 
 /* operations.c: nodes that combine others. */
 KEEP_STATUS enum scarp_status scarpi_recipe_run_operation(struct recipe_machine *m, int node);

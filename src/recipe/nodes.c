@@ -92,6 +92,11 @@ struct recipe_value scarpi_recipe_affine(struct recipe_compiler *c, int e, int a
     if (node.k[0] == 1.0f && node.k[1] == 0.0f) {
         return (struct recipe_value){SCARP_RECIPE_FIELD, a, 0.0};
     }
+    const struct recipe_node *const in = &c->recipe->node[a];
+    if (in->operation == OP_AFFINE && in->k[1] == 0.0f && node.k[0] == 1.0f) {
+        node.in[0] = in->in[0]; /* adding to a product with 0 added has the same bits */
+        node.k[0] = in->k[0];
+    }
     return scarpi_recipe_node(c, e, node);
 }
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Nodes that have a place: noise, cells, gullies, coordinates. The place is computed point by
- * point, and derivatives by its coordinates u become derivatives by those of the frame, x, with the
- * Jacobian J = m + grad rest:
+ * Nodes that have a place: noise, cells, gullies, coordinates. Derivatives by the coordinates of the
+ * place, u, become derivatives by those of the frame, x, with the Jacobian J = m + grad rest:
  *
  *     gradient J^T g,   Hessian J^T H J + sum_k g_k (Hessian of rest_k)
  */
@@ -32,102 +31,6 @@ static float *first(const struct scarp_samples *s, int i)
 static bool is_points(int place)
 {
     return place == 0;
-}
-
-static void spread_grid(const struct recipe_machine *m)
-{
-    const struct scarp_grid *const g = m->chunk->grid;
-    double *const x = m->position[0], *const y = m->position[1], *const z = m->position[2];
-    const size_t slices = m->recipe->dimensions == 3 ? g->count[2] : 1;
-    size_t i = 0;
-    for (size_t slice = 0; slice < slices; slice++) {
-        const double at_z = g->origin[2] + (double)(g->first[2] + (int64_t)slice) * g->step[2];
-        for (size_t row = 0; row < g->count[1]; row++) {
-            const double at_y = g->origin[1] + (double)(g->first[1] + (int64_t)row) * g->step[1];
-            for (size_t column = 0; column < g->count[0]; column++, i++) {
-                x[i] = g->origin[0] + (double)(g->first[0] + (int64_t)column) * g->step[0];
-                y[i] = at_y;
-                if (m->recipe->dimensions == 3) {
-                    z[i] = at_z;
-                }
-            }
-        }
-    }
-}
-
-/* Coordinates of the points, in arrays of the machine. */
-static void spread(const struct recipe_machine *m)
-{
-    if (m->chunk->grid != NULL) {
-        spread_grid(m);
-        return;
-    }
-    const size_t bytes = m->chunk->count * (m->has_doubles ? sizeof(double) : sizeof(float));
-    for (int i = 0; i < m->recipe->dimensions; i++) {
-        memcpy(m->position[i], m->chunk->at[i], bytes);
-    }
-}
-
-/* Both loops are the same, in double and in float. */
-#define TRANSFORM(type)                                                                            \
-    static void transform_##type(const struct recipe_machine *m, const struct recipe_place *p,     \
-                                 int from, const float *const rest[3])                             \
-    {                                                                                              \
-        type *const x = m->position[0], *const y = m->position[1], *const z = m->position[2];      \
-        type k[3][3], t[3];                                                                        \
-        for (int i = 0; i < 3; i++) {                                                              \
-            for (int j = 0; j < 3; j++) {                                                          \
-                k[i][j] = (type)p->m[i][j];                                                        \
-            }                                                                                      \
-            t[i] = (type)p->t[i];                                                                  \
-        }                                                                                          \
-        for (size_t i = 0; i < m->chunk->count; i++) {                                             \
-            const type a = x[i], b = y[i];                                                         \
-            if (from == 3) {                                                                       \
-                const type c = z[i];                                                               \
-                x[i] = k[0][0] * a + k[0][1] * b + k[0][2] * c + t[0];                             \
-                y[i] = k[1][0] * a + k[1][1] * b + k[1][2] * c + t[1];                             \
-                z[i] = k[2][0] * a + k[2][1] * b + k[2][2] * c + t[2];                             \
-            } else {                                                                               \
-                x[i] = k[0][0] * a + k[0][1] * b + t[0];                                           \
-                y[i] = k[1][0] * a + k[1][1] * b + t[1];                                           \
-            }                                                                                      \
-        }                                                                                          \
-        for (int j = 0; j < p->dimensions; j++) {                                                  \
-            type *const u = m->position[j];                                                        \
-            for (size_t i = 0; rest[j] != NULL && i < m->chunk->count; i++) {                      \
-                u[i] += (type)rest[j][i];                                                          \
-            }                                                                                      \
-        }                                                                                          \
-    }
-
-TRANSFORM(double)
-TRANSFORM(float)
-
-/* The coordinates of a place, in arrays of the machine. */
-static void find_positions(const struct recipe_machine *m, int place)
-{
-    const struct recipe_place *const p = &m->recipe->place[place];
-    const float *rest[3] = {NULL, NULL, NULL};
-    if (p->frame >= 0) {
-        find_positions(m, p->frame);
-    } else {
-        spread(m);
-    }
-    if (is_points(place)) {
-        return;
-    }
-    for (int i = 0; i < p->dimensions; i++) {
-        if (p->rest[i] >= 0) {
-            rest[i] = scarpi_recipe_samples(m, p->rest[i]).value;
-        }
-    }
-    const int from = scarpi_recipe_frame_dimensions(m->recipe, p->frame);
-    if (m->has_doubles) {
-        transform_double(m, p, from, rest);
-    } else {
-        transform_float(m, p, from, rest);
-    }
 }
 
 /* What is known of a place for the chain rule. */
@@ -226,7 +129,7 @@ static void find_points(const struct recipe_machine *m, int place, struct points
     const bool is_given = is_points(place) && m->chunk->grid == NULL;
     p->count = m->chunk->count;
     if (!is_given) {
-        find_positions(m, place);
+        scarpi_recipe_find_positions(m, place);
     }
     for (int i = 0; i < 3; i++) {
         p->at[i] = is_given ? m->chunk->at[i] : m->position[i];
@@ -242,6 +145,63 @@ static const struct scarp_noise *noise_of(struct recipe_machine *m, const struct
     return m->noise;
 }
 
+/* The axes of the grid that are the coordinates of a place of the plane in space, as bits; 0: they
+   are something else. */
+static int axes_of_plane(const struct recipe *recipe, int place)
+{
+    const struct recipe_place *const p = &recipe->place[place];
+    int axes = 0;
+    if (recipe->dimensions != 3 || p->dimensions != 2 || p->frame >= 0) {
+        return 0;
+    }
+    for (int i = 0; i < 2; i++) {
+        int axis = 0, others = 0;
+        for (int j = 0; j < 3; j++) {
+            axis = p->m[i][j] == 1.0 ? j : axis;
+            others += p->m[i][j] != 0.0;
+        }
+        if (others != 1 || p->m[i][axis] != 1.0 || p->t[i] != 0.0 || p->rest[i] >= 0 ||
+            axes >> axis != 0) {
+            return 0;
+        }
+        axes |= 1 << axis;
+    }
+    return axes;
+}
+
+/* The grid of a plane in a grid of space that is one sample thick. */
+static struct scarp_grid plane_of(const struct scarp_grid *grid, int axes)
+{
+    struct scarp_grid plane = {.row_stride = 0};
+    for (int i = 0, to = 0; i < 3; i++) {
+        if ((axes >> i & 1) != 0) {
+            plane.origin[to] = grid->origin[i];
+            plane.step[to] = grid->step[i];
+            plane.first[to] = grid->first[i];
+            plane.count[to++] = grid->count[i];
+        }
+    }
+    return plane;
+}
+
+bool scarpi_recipe_needs_positions(const struct recipe_machine *m, int node, bool is_grid)
+{
+    const struct recipe_node *const n = &m->recipe->node[node];
+    switch (n->operation) {
+    case OP_NOISE:
+        return !is_points(n->place) && !(m->has_parts && axes_of_plane(m->recipe, n->place) != 0);
+    case OP_GULLIES: return !is_points(n->place);
+    case OP_VECTOR:
+    case OP_CELL: return !is_points(n->place) || is_grid;
+    case OP_COORDINATE: {
+        const struct recipe_place *const p = &m->recipe->place[n->place];
+        const bool is_plain = is_points(n->place) && !is_grid;
+        return !is_plain && !(m->has_doubles && p->frame < 0 && p->rest[n->detail] < 0);
+    }
+    default: return false;
+    }
+}
+
 static enum scarp_status run_noise(struct recipe_machine *m, const struct recipe_node *n,
                                    const struct scarp_samples *out)
 {
@@ -251,6 +211,11 @@ static enum scarp_status run_noise(struct recipe_machine *m, const struct recipe
         return dimensions == 2 ? scarp_grid2(noise, m->chunk->grid, out)
                                : scarp_grid3(noise, m->chunk->grid, out);
     }
+    const int axes = m->has_parts ? axes_of_plane(m->recipe, n->place) : 0;
+    if (axes != 0) {
+        const struct scarp_grid plane = plane_of(m->chunk->grid, axes);
+        return scarp_grid2(noise, &plane, out);
+    }
     struct points p;
     find_points(m, n->place, &p);
     if (m->has_doubles) {
@@ -259,6 +224,12 @@ static enum scarp_status run_noise(struct recipe_machine *m, const struct recipe
     }
     return dimensions == 2 ? scarp_sample2(noise, p.count, p.at[0], p.at[1], out)
                            : scarp_sample3(noise, p.count, p.at[0], p.at[1], p.at[2], out);
+}
+
+enum scarp_status scarpi_recipe_run_noise(struct recipe_machine *m, int node,
+                                          const struct scarp_samples *out)
+{
+    return run_noise(m, &m->recipe->node[node], out);
 }
 
 /* The nodes of the components that are computed; -1: not. */
@@ -374,38 +345,6 @@ static enum scarp_status run_gullies(const struct recipe_machine *m, const struc
                           : scarp_gullies2(g, p.count, p.at[0], p.at[1], &base, &to);
 }
 
-/* One coordinate of a place that no field displaces, in double: as the others would be computed. */
-static void set_coordinate(const struct recipe_machine *m, const struct recipe_place *p, int axis,
-                           float *to)
-{
-    const double *const k = p->m[axis], t = p->t[axis];
-    const bool is_space = m->recipe->dimensions == 3, is_plain = p == m->recipe->place;
-    const struct scarp_grid *const g = m->chunk->grid;
-    if (g == NULL) {
-        const double *const x = m->chunk->at[0], *const y = m->chunk->at[1],
-                            *const z = m->chunk->at[2];
-        const double *const own = m->chunk->at[axis];
-        for (size_t i = 0; i < m->chunk->count; i++) {
-            const double sum = k[0] * x[i] + k[1] * y[i];
-            to[i] = (float)(is_plain ? own[i] : (is_space ? sum + k[2] * z[i] : sum) + t);
-        }
-        return;
-    }
-    for (size_t slice = 0; slice < (is_space ? g->count[2] : 1); slice++) {
-        const double z = g->origin[2] + (double)(g->first[2] + (int64_t)slice) * g->step[2];
-        for (size_t row = 0; row < g->count[1]; row++) {
-            const double y = g->origin[1] + (double)(g->first[1] + (int64_t)row) * g->step[1];
-            for (size_t column = 0; column < g->count[0]; column++) {
-                const double x =
-                    g->origin[0] + (double)(g->first[0] + (int64_t)column) * g->step[0];
-                const double sum = k[0] * x + k[1] * y;
-                const double own = axis == 0 ? x : axis == 1 ? y : z;
-                *to++ = (float)(is_plain ? own : (is_space ? sum + k[2] * z : sum) + t);
-            }
-        }
-    }
-}
-
 static void run_coordinate(const struct recipe_machine *m, const struct recipe_node *n, int order,
                            const struct scarp_samples *out)
 {
@@ -417,7 +356,7 @@ static void run_coordinate(const struct recipe_machine *m, const struct recipe_n
         rest = scarpi_recipe_samples(m, place->rest[axis]);
     }
     if (m->has_doubles && place->frame < 0 && place->rest[axis] < 0) {
-        set_coordinate(m, place, axis, out->value);
+        scarpi_recipe_set_coordinate(m, n->place, axis, out->value);
     } else {
         struct points p;
         find_points(m, n->place, &p);

@@ -15,8 +15,9 @@
  *     schedule.c       nodes -> steps and registers
  *     combine.c        the calls of functions that combine fields
  *     skips.c          what need not be computed, since bounds say so
- *     evaluate.c       steps over chunks of points; operations.c and positions.c: one step, whose
- *                      samples machine.c finds
+ *     evaluate.c       steps over chunks of points; grids.c: over pieces of grids
+ *     positions.c      one step of a node that has a place; coordinates.c: where that is;
+ *                      operations.c: of another node; machine.c: where samples are
  *     plan.c           constants of noises that callers keep
  *     words.c          the functions and their arguments, for the compiler and for editors
  *     calls.c          the public functions; change.c: those that set something; describe.c: those
@@ -40,6 +41,8 @@ enum {
     RECIPE_PLACES = 32,
     RECIPE_KNOTS = 128,
     RECIPE_GUARDS = 48,
+    RECIPE_COPIES = 64,  /* of nodes that do not depend on all axes */
+    RECIPE_ALL_AXES = 7, /* bits of x, y and z */
     RECIPE_NESTING = 24, /* of parentheses and signs in the text */
     RECIPE_DEPTH = 40,   /* of expressions, through names */
     RECIPE_FRAMES = 3    /* of frames in each other */
@@ -158,18 +161,32 @@ struct recipe_guard {
     uint8_t first; /* step */
 };
 
-/* How some nodes are computed. */
+/* A node as steps read it that depend on more axes than it does. */
+struct recipe_copy {
+    uint8_t node, axes, in_register;
+};
+
+/*
+ * How some nodes are computed. On grids, steps that depend on the same axes run together: on a
+ * plane, on a line, or at a point, if they do not depend on all. Axes are added bits, as those of
+ * nodes.
+ */
 struct recipe_schedule {
     int16_t steps, registers;
-    int16_t columns; /* the first steps do not depend on z */
-    uint16_t alone;  /* a bit for each root that no step reads, and that is no other root, too */
-    uint8_t guards;
+    int16_t first_of[RECIPE_ALL_AXES + 2]; /* the first step that depends on these axes, or more */
+    uint8_t all_axes;                      /* of the recipe */
+    uint8_t guards, copies;
     uint8_t extra; /* the highest order of a register is this much above that of the outputs */
     uint8_t step[RECIPE_NODES];        /* nodes */
+    uint8_t axes_of[RECIPE_NODES];     /* by node: those of its step */
     uint8_t register_of[RECIPE_NODES]; /* by node */
     uint8_t extra_of[RECIPE_NODES];    /* how much its order is above that of the outputs */
     uint8_t guard_of[RECIPE_NODES];    /* from 1; 0: none */
+    /* The root, from 1, in whose arrays a node may be computed: the root itself if no step reads
+       it, and those that are overwritten one by one on the way to it; 0: none */
+    uint8_t home_of[RECIPE_NODES];
     struct recipe_guard guard[RECIPE_GUARDS + 1];
+    struct recipe_copy copy[RECIPE_COPIES];
 };
 
 struct __attribute__((may_alias)) recipe {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * Steps are nodes in an order in which each stands behind those that it reads: operands that need
- * more registers come first, masks before what they mask. In space, nodes that do not depend on z
- * come before all others, so that grids compute them once per column.
+ * more registers come first, masks before what they mask. Nodes that depend on fewer axes come
+ * before all others, by axes, so that grids compute them once along each of the other ones. What
+ * others read of them stays in registers of its own: as it is, and as a copy for each set of axes.
  *
  * Products and mixes are gates: where the mask is 0 (of mixes, or 1) with all derivatives, they are
  * defined to be 0, or one operand, whatever the other one is. So nodes that are needed for that
@@ -24,7 +25,9 @@ struct scheduler {
     const struct recipe *recipe;
     struct recipe_schedule *to;
     struct node_set live, done;
+    struct node_set kept;           /* read by steps of other axes, or a root of fewer axes */
     struct node_set safe;           /* see skips.h */
+    int is_full;                    /* there was no room for copies */
     uint8_t need[RECIPE_NODES];     /* registers */
     uint8_t position[RECIPE_NODES]; /* of the step */
     uint8_t cost[RECIPE_NODES];     /* octaves, of all that is needed */
@@ -105,15 +108,10 @@ static void find_costs(struct scheduler *s)
     }
 }
 
-static int is_column(const struct scheduler *s, int n)
-{
-    return s->recipe->dimensions == 3 && (s->recipe->node[n].axes & 4) == 0;
-}
-
 /* Whether a node costs next to nothing where a gate is computed. */
 static int is_free(const struct scheduler *s, int gate, int n)
 {
-    return s->cost[n] == 0 || (is_column(s, n) && !is_column(s, gate));
+    return s->cost[n] == 0 || s->to->axes_of[n] != s->to->axes_of[gate];
 }
 
 static void put_bounding(const struct scheduler *s, struct node_set *set, int n)
@@ -254,16 +252,20 @@ static void add_steps(struct scheduler *s, int root)
 
 static void add_all(struct scheduler *s, const int16_t *roots, int count)
 {
-    const struct recipe *const r = s->recipe;
-    for (int n = r->nodes - 1; r->dimensions == 3 && n >= 0; n--) {
-        if (has(&s->live, n) && (r->node[n].axes & 4) == 0) {
-            add_steps(s, n);
+    const int all = s->to->all_axes;
+    for (int axes = 0; axes < all; axes++) { /* those of an operand are never the greater number */
+        s->to->first_of[axes] = s->to->steps;
+        for (int n = s->recipe->nodes - 1; n >= 0; n--) {
+            if (has(&s->live, n) && s->to->axes_of[n] == axes) {
+                add_steps(s, n);
+            }
         }
     }
-    s->to->columns = s->to->steps;
+    s->to->first_of[all] = s->to->steps;
     for (int i = 0; i < count; i++) {
         add_steps(s, roots[i]);
     }
+    s->to->first_of[all + 1] = s->to->steps;
 }
 
 /* Adds what a node reads to a set, but for one operand. */
@@ -280,13 +282,18 @@ static void put_reads(const struct scheduler *s, struct node_set *set, int n, in
 }
 
 /* Whether a node that is needed for the operand of a guard alone is in it. Steps in front of the
-   mask, or of the mask of a guard around this one, cannot be left out: what is computed once per
-   column may be. */
+   mask, or of the mask of a guard around this one, cannot be left out, nor those that do not depend
+   on all axes of the mask. */
 static int may_be_left_out(const struct scheduler *s, const struct recipe_guard *guard, int n)
 {
-    return s->to->guard_of[n] == guard->parent &&
-           (guard->kind == GUARD_BY_BOUNDS ? !is_free(s, guard->gate, n)
-                                           : s->position[n] > s->position[guard->mask]);
+    if (s->to->guard_of[n] != guard->parent) {
+        return 0;
+    }
+    if (guard->kind == GUARD_BY_BOUNDS) {
+        return !is_free(s, guard->gate, n);
+    }
+    return s->position[n] > s->position[guard->mask] &&
+           (s->to->axes_of[guard->mask] & ~s->to->axes_of[n]) == 0;
 }
 
 /* The nodes that may be left out, if noise is among them. Returns the first step; -1: none. */
@@ -402,9 +409,10 @@ struct registers {
     int count;
 };
 
+/* What is kept gets a register that no step had before: steps in front of it run again. */
 static void take_register(struct scheduler *s, struct registers *r, int node)
 {
-    int k = 0;
+    int k = has(&s->kept, node) ? r->count : 0;
     while (r->busy[k]) {
         k++;
     }
@@ -435,9 +443,8 @@ static void set_registers(struct scheduler *s, const int16_t *roots, int count)
         int slopes;
         const int n = s->to->step[k], read = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
         r.last[n] = (int16_t)k;
-        for (int i = 0; i < read; i++) { /* what is computed once per column stays */
-            const int stays = s->position[reads[i]] < s->to->columns && k >= s->to->columns;
-            r.last[reads[i]] = (int16_t)(stays || r.last[reads[i]] == steps ? steps : k);
+        for (int i = 0; i < read; i++) {
+            r.last[reads[i]] = (int16_t)(has(&s->kept, reads[i]) ? steps : k);
         }
     }
     for (int i = 0; i < count; i++) {
@@ -464,22 +471,110 @@ static void set_registers(struct scheduler *s, const int16_t *roots, int count)
             r.busy[s->to->register_of[n]] = 0;
         }
     }
+    for (int i = 0; i < s->to->copies && r.count < RECIPE_NODES; i++) {
+        s->to->copy[i].in_register = (uint8_t)r.count++;
+    }
+    s->is_full |= s->to->copies > 0 && r.count == RECIPE_NODES;
     s->to->registers = (int16_t)r.count;
 }
 
-/* Finds the roots that may be computed where the caller wants them. */
-static void find_alone(struct scheduler *s, const int16_t *roots, int count)
+/* A step of these axes reads a node. */
+static void add_copy(struct scheduler *s, int node, int axes)
 {
-    struct node_set read = {{0}};
+    struct recipe_schedule *const to = s->to;
+    int i = 0;
+    if (to->axes_of[node] == axes) {
+        return;
+    }
+    put_node(&s->kept, node);
+    while (i < to->copies && (to->copy[i].node != node || to->copy[i].axes != axes)) {
+        i++;
+    }
+    s->is_full |= i == RECIPE_COPIES;
+    if (i == to->copies && i < RECIPE_COPIES) {
+        to->copy[to->copies++] = (struct recipe_copy){.node = (uint8_t)node, .axes = (uint8_t)axes};
+    }
+}
+
+static void add_copies(struct scheduler *s, const int16_t *roots, int count)
+{
     for (int k = 0; k < s->to->steps; k++) {
-        put_reads(s, &read, s->to->step[k], -1);
+        int16_t reads[RECIPE_READS];
+        int slopes;
+        const int n = s->to->step[k], read = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
+        for (int i = 0; i < read; i++) {
+            add_copy(s, reads[i], s->to->axes_of[n]);
+        }
+        for (int g = s->to->guard_of[n]; g > 0; g = s->to->guard[g].parent) {
+            if (s->to->guard[g].mask >= 0) {
+                add_copy(s, s->to->guard[g].mask, s->to->axes_of[n]);
+            }
+        }
     }
     for (int i = 0; i < count; i++) {
-        int is_alone = !has(&read, roots[i]);
-        for (int j = 0; j < count; j++) {
-            is_alone = is_alone && (i == j || roots[i] != roots[j]);
+        if (s->to->axes_of[roots[i]] != s->to->all_axes) {
+            put_node(&s->kept, roots[i]);
         }
-        s->to->alone = (uint16_t)(s->to->alone | is_alone << i);
+    }
+}
+
+/* The operand that a function may overwrite on the way to a root, or -1: only the function reads
+   it, it has the same derivatives and depends on all axes. */
+static int overwritten(const struct scheduler *s, int n, const struct node_set *read_twice)
+{
+    const struct recipe_node *const node = &s->recipe->node[n];
+    for (int i = 0; i < 3 && is_in_place(node->operation); i++) {
+        const int in = node->in[i];
+        if (in >= 0 && !has(read_twice, in) && s->to->axes_of[in] == s->to->all_axes &&
+            s->recipe->node[in].dimensions == node->dimensions &&
+            s->recipe->node[in].operation != OP_COMPONENT) {
+            return in;
+        }
+    }
+    return -1;
+}
+
+static void find_homes(struct scheduler *s, const int16_t *roots, int count)
+{
+    struct node_set read = {{0}}, read_twice = {{0}}; /* by two nodes, or a root that is read */
+    for (int i = 0; i < count; i++) {
+        put_node(has(&read, roots[i]) ? &read_twice : &read, roots[i]);
+    }
+    for (int k = 0; k < s->to->steps; k++) {
+        struct node_set by = {{0}};
+        put_reads(s, &by, s->to->step[k], -1);
+        for (int i = 0; i < RECIPE_NODES / 64; i++) {
+            read_twice.word[i] |= read.word[i] & by.word[i];
+            read.word[i] |= by.word[i];
+        }
+    }
+    for (int i = 0; i < count; i++) {
+        if (!has(&read_twice, roots[i]) && s->to->axes_of[roots[i]] == s->to->all_axes) {
+            for (int n = roots[i]; n >= 0; n = overwritten(s, n, &read_twice)) {
+                s->to->home_of[n] = (uint8_t)(i + 1);
+            }
+        }
+    }
+}
+
+static void find_axes(struct scheduler *s, int has_parts)
+{
+    const int all = s->recipe->dimensions == 3 ? RECIPE_ALL_AXES : RECIPE_ALL_AXES / 2;
+    s->to->all_axes = (uint8_t)all;
+    for (int n = 0; n < s->recipe->nodes; n++) {
+        s->to->axes_of[n] = (uint8_t)(has_parts ? s->recipe->node[n].axes : all);
+    }
+}
+
+/* Nodes that bounds may leave out, if there is a gate that asks for it. */
+static void find_safe(struct scheduler *s)
+{
+    int found = 0;
+    for (int n = 0; n < s->recipe->nodes && !found; n++) {
+        found = has(&s->live, n) && is_bounded_gate(s, n);
+    }
+    if (found) {
+        scarpi_recipe_find_safe(s->recipe, &s->safe);
     }
 }
 
@@ -494,19 +589,19 @@ int scarpi_recipe_mask_guard(const struct recipe_schedule *schedule, int guard)
 void scarpi_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
                             struct recipe_schedule *schedule)
 {
-    struct scheduler s = {.recipe = recipe, .to = schedule};
-    memset(schedule, 0, sizeof *schedule);
-    find_live(&s, roots, count);
-    find_needs(&s);
-    find_costs(&s);
-    for (int n = 0, found = 0; n < recipe->nodes && !found; n++) {
-        found = has(&s.live, n) && is_bounded_gate(&s, n);
-        if (found) {
-            scarpi_recipe_find_safe(recipe, &s.safe);
-        }
+    struct scheduler s = {.is_full = 1};
+    for (int has_parts = 1; s.is_full; has_parts--) {
+        s = (struct scheduler){.recipe = recipe, .to = schedule};
+        memset(schedule, 0, sizeof *schedule);
+        find_axes(&s, has_parts);
+        find_live(&s, roots, count);
+        find_needs(&s);
+        find_costs(&s);
+        find_safe(&s);
+        add_all(&s, roots, count);
+        add_guards(&s, roots, count);
+        add_copies(&s, roots, count);
+        set_registers(&s, roots, count);
+        find_homes(&s, roots, count);
     }
-    add_all(&s, roots, count);
-    add_guards(&s, roots, count);
-    set_registers(&s, roots, count);
-    find_alone(&s, roots, count);
 }
