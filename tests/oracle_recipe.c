@@ -32,7 +32,9 @@ static void set_periods(const struct oracle_recipe *o, struct scarp_noise *n,
                         const struct place *at)
 {
     for (int i = 0; o->tile[0] > 0.0 && i < at->dimensions; i++) {
-        n->period[i] = (uint32_t)(o->tile[i] * fabs(at->u[i].first[i]) * n->frequency + 0.5);
+        const int along = at->dimensions == 2 && at->u[i].first[i] == 0.0 ? i + 1 : i;
+        n->period[i] =
+            (uint32_t)(o->tile[along] * fabs(at->u[i].first[along]) * n->frequency + 0.5);
     }
 }
 
@@ -69,6 +71,7 @@ static void displace(const struct oracle_recipe *o, int part, const struct place
 struct frame {
     struct place at;
     double scale[3];
+    int shift[3]; /* by how many axes flat() moved each one */
 };
 
 static jet evaluate_in(const struct oracle_recipe *o, int part, const struct frame *in);
@@ -83,7 +86,7 @@ static jet sampled(const struct oracle_recipe *o, int call, const struct frame *
     struct scarp_noise n = oracle_noise_of(o, call);
     struct place straight = {.dimensions = in->at.dimensions};
     for (int i = 0; i < 3; i++) {
-        straight.u[i].first[i] = in->scale[i];
+        straight.u[i].first[i + in->shift[i]] = in->scale[i];
     }
     set_periods(o, &n, &straight);
     if (o->made[call] == NULL) {
@@ -108,7 +111,7 @@ static jet celled(const struct oracle_recipe *o, int call, const struct frame *i
     struct scarp_noise tiled = first;
     struct place straight = {.dimensions = in->at.dimensions};
     for (int i = 0; i < 3; i++) {
-        straight.u[i].first[i] = in->scale[i];
+        straight.u[i].first[i + in->shift[i]] = in->scale[i];
     }
     set_periods(o, &tiled, &straight);
     struct oracle made;
@@ -264,6 +267,14 @@ static jet placed(const struct oracle_recipe *o, int call, const struct frame *i
     const int f = oracle_argument(o, call, "f", 0) >= 0 ? oracle_argument(o, call, "f", 0)
                                                         : oracle_argument(o, call, "a", 0);
     if (oracle_is(o, name, "flat")) {
+        for (int i = oracle_has_word(o, call, "x")   ? 0
+                     : oracle_has_word(o, call, "y") ? 1
+                                                     : 2;
+             i < 2; i++) {
+            inner.at.u[i] = in->at.u[i + 1];
+            inner.scale[i] = in->scale[i + 1];
+            inner.shift[i] = 1;
+        }
         inner.at.dimensions = 2;
         return evaluate_in(o, f, &inner);
     }
@@ -434,7 +445,7 @@ static jet evaluate_in(const struct oracle_recipe *o, int part, const struct fra
 
 static jet evaluate(const struct oracle_recipe *o, int part, const struct place *at)
 {
-    const struct frame in = {*at, {1.0, 1.0, 1.0}};
+    const struct frame in = {.at = *at, .scale = {1.0, 1.0, 1.0}};
     return evaluate_in(o, part, &in);
 }
 

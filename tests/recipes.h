@@ -158,6 +158,12 @@ static const struct recipe_text recipe_texts[] = {
      "a = warp(noise(octaves=2), w) + stretch(noise(size=2), 2, 1) + move(noise(), 1, 2)",
      0},
 #include "functions.def"
+    {"flat_y", SPACE "a = flat(n, y) * m + turn(flat(m, y), 30, x)", 0},
+    {"flat_x", SPACE "a = flat(n * x, x) * m + warp(flat(m + y, x), noise(amplitude=0.3))", 0},
+    {"flat_tile",
+     "recipe 1\nspace 3\ntile 8, 4, 12\na = flat(noise(size=2), y) + flat(noise(seed=1), x) + "
+     "stretch(flat(noise(size=2, seed=2)), 2, 1, 1)",
+     0},
 };
 #define RECIPE_TEXTS (sizeof recipe_texts / sizeof recipe_texts[0])
 

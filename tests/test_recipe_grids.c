@@ -43,6 +43,9 @@ static const char *const texts[] = {
     SPACE_ONE
     "out a = turn(noise() + z, 30, x) + move(flat(noise()), 1, 2, 3) + stretch(z, 1, 2, 3)",
     SPACE_ONE "out a = flat(gullies(noise(size=4), size=4)) + 0.5 * z\nout b = mix(x, z, 0.25)",
+    SPACE_ONE "out a = flat(noise(octaves=2), y) - y + noise(size=2)\nout b = flat(noise(), x)",
+    SPACE_ONE "out a = flat(noise(), x) * flat(noise(), y) + flat(slope(noise() * x), y) * 2",
+    SPACE_ONE "m = smoothstep(x, 0, 2)\nout a = m * flat(noise(), y) + m * flat(noise(), x)",
     /* Masks of other axes than what they mask */
     SPACE_ONE "out a = smoothstep(x, 0, 2) * flat(noise()) + smoothstep(z, 1, 3) * flat(noise())",
     SPACE_ONE "out a = clamp(x, 0, 1) * (flat(noise()) * z)\nout b = clamp(z, 0, 1) * noise()",

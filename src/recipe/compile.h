@@ -152,7 +152,8 @@ int scarpi_recipe_spelled_out(struct recipe_compiler *c, int expression, int pla
 
 /* places.c: places made of others; RECIPE_BAD after an error. */
 int scarpi_recipe_warped(struct recipe_compiler *c, int expression, int place, int noise);
-int scarpi_recipe_flattened(struct recipe_compiler *c, int call, int place);
+/* The plane across an axis. */
+int scarpi_recipe_flattened(struct recipe_compiler *c, int call, int place, int axis);
 int scarpi_recipe_looking_at(struct recipe_compiler *c, int call, int place,
                              const struct recipe_linear *coordinate);
 /* turn(), move(), scale(), stretch() and wind() with their numbers, and the axis of turn(). */

@@ -50,25 +50,36 @@ static void limit_gullies(struct scarp_gullies *gullies, double finest)
           &gullies->of_octaves);
 }
 
+/* The axis of the points along which an axis of a place lies: in space, planes may lie across any.
+ */
+static int axis_of_tile(const struct recipe_compiler *c, int axis, const double matrix[3][3])
+{
+    const int is_plane = matrix[2][0] == 0.0 && matrix[2][1] == 0.0 && matrix[2][2] == 0.0;
+    return c->recipe->dimensions == 3 && is_plane && axis < 2 && matrix[axis][axis] == 0.0
+               ? axis + 1
+               : axis;
+}
+
 /* The period along an axis in cells, of a tile. Returns false after an error. */
 static bool fit_tile(struct recipe_compiler *c, int e, int axis, const double matrix[3][3],
                      double frequency, uint32_t *period)
 {
+    const int along = axis_of_tile(c, axis, matrix);
     for (int i = 0; i < 3; i++) {
-        if (i != axis && matrix[axis][i] != 0.0) {
+        if (i != along && matrix[axis][i] != 0.0) {
             scarpi_recipe_bad(
                 c, e, "turned noise does not repeat, so it cannot be used with a tile", NULL);
             return false;
         }
     }
     const double cells =
-        c->recipe->tile[axis] * fabs(matrix[axis][axis]) * (frequency != 0.0 ? frequency : 1.0);
+        c->recipe->tile[along] * fabs(matrix[axis][along]) * (frequency != 0.0 ? frequency : 1.0);
     const double whole = cells < 1.0      ? 1.0
                          : cells > 0x1p30 ? 0x1p30
                                           : (double)(uint32_t)(cells + 0.5);
     if (!(fabs(cells - whole) <= 1e-9 * whole)) {
         if (c->errors != NULL) {
-            c->errors->nearest = c->recipe->tile[axis] * fabs(matrix[axis][axis]) / whole;
+            c->errors->nearest = c->recipe->tile[along] * fabs(matrix[axis][along]) / whole;
         }
         scarpi_recipe_bad(
             c, e,

@@ -65,7 +65,7 @@ int scarpi_recipe_looking_at(struct recipe_compiler *c, int call, int place,
     return scarpi_recipe_place(c, call, &p);
 }
 
-int scarpi_recipe_flattened(struct recipe_compiler *c, int call, int place)
+int scarpi_recipe_flattened(struct recipe_compiler *c, int call, int place, int axis)
 {
     const int p = scarpi_recipe_spelled_out(c, call, place);
     if (p < 0) {
@@ -78,6 +78,11 @@ int scarpi_recipe_flattened(struct recipe_compiler *c, int call, int place)
             .node;
     }
     q.dimensions = 2;
+    for (int i = axis; i < 2; i++) { /* axes behind it move up */
+        memcpy(q.m[i], q.m[i + 1], sizeof q.m[i]);
+        q.t[i] = q.t[i + 1];
+        q.rest[i] = q.rest[i + 1];
+    }
     q.m[2][0] = q.m[2][1] = q.m[2][2] = q.t[2] = 0.0;
     q.rest[2] = RECIPE_NONE;
     return scarpi_recipe_place(c, call, &q);

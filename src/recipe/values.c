@@ -360,12 +360,21 @@ static int place_of_transform(struct recipe_compiler *c, int call, int function,
     return scarpi_recipe_transformed(c, call, function, place, number, axis);
 }
 
+static int place_of_flat(struct recipe_compiler *c, int call, int place, int word)
+{
+    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(FUNCTION_FLAT);
+    const int axis = word < 0 ? 2
+                              : scarpi_recipe_word_of(c->recipe, c->recipe->expression[word].name,
+                                                      &f->argument[1]);
+    return scarpi_recipe_flattened(c, call, place, axis);
+}
+
 int scarpi_recipe_place_inside(struct recipe_compiler *c, int call, int function, int place,
                                const int16_t argument[RECIPE_ARGUMENTS])
 {
     switch (function) {
     case FUNCTION_WARP: return place_of_warp(c, place, argument);
-    case FUNCTION_FLAT: return scarpi_recipe_flattened(c, call, place);
+    case FUNCTION_FLAT: return place_of_flat(c, call, place, argument[1]);
     case FUNCTION_AT: return place_of_at(c, call, place, argument);
     default: return place_of_transform(c, call, function, place, argument);
     }
