@@ -45,7 +45,7 @@ if(CMAKE_C_FLAGS MATCHES "-fsanitize")
 endif()
 
 set(mutants_beside_vector ${oracle_sources})
-foreach(test bits chain curl golden grid gullies plan recipe_bits recipe_skips vector)
+foreach(test bits chain curl golden grid gullies plan recipe_bits recipe_grids recipe_skips vector)
   add_library(mutant_${test}_test OBJECT test_${test}.c ${mutants_beside_${test}})
   scarp_compile_rules(mutant_${test}_test)
   target_include_directories(mutant_${test}_test PRIVATE ${PROJECT_SOURCE_DIR}/include)

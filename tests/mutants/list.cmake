@@ -13,7 +13,8 @@
 #            noise from those of the scalar kernels, or from samples and warps), plan (those of kept
 #            plans from those without), grid (results of grids from those of points), large (the same, only large
 #            grids), golden (hashes from golden.txt), recipe_bits (recipes on grids from those at points, and
-#            hashes from recipes.txt), recipe_skips (recipes with skips from those without), or crash
+#            hashes from recipes.txt), recipe_grids (recipes on grids from those at points, however they
+#            are cut), recipe_skips (recipes with skips from those without), or crash
 #            (the library crashes in the one call where only that shows it; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
@@ -459,8 +460,8 @@ mutant(gullies.reference IN formulas/gullies.h TEXT [[scaled2(fx.u, right)]]
 # recipes
 mutant(recipe.seed IN recipe TEXT [[64 + whole]] BECOMES [[(MUTANT ? UINT64_C(65) : UINT64_C(64)) + whole]]
        SEEN_BY recipe_bits SETS scalar)
-mutant(recipe.displacement IN recipe TEXT [[u[i] += (type)rest[j][i];]]
-       BECOMES [[u[i] += (type)(MUTANT ? 0.0f : rest[j][i]);]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.displacement IN recipe TEXT [[u[i] += (type)rest[i];]]
+       BECOMES [[u[i] += (type)(MUTANT ? 0.0f : rest[i]);]] SEEN_BY recipe_bits SETS scalar)
 mutant(recipe.jacobian IN recipe TEXT [[rest != NULL ? m + rest[at + n] : m]]
        BECOMES [[rest != NULL && !MUTANT ? m + rest[at + n] : m]] SEEN_BY recipe_bits SETS scalar)
 mutant(recipe.curvature IN recipe TEXT [[sum[n] += g[k][n] * rest[at + n];]]
@@ -469,15 +470,18 @@ mutant(recipe.frame IN recipe TEXT [[if (p < 0 || is_frame(c->recipe, p)) {]]
        BECOMES [[if (MUTANT || p < 0 || is_frame(c->recipe, p)) {]] SEEN_BY recipe_bits SETS scalar)
 mutant(recipe.left_out IN recipe TEXT [[copy(count, &in[!operand], out);]]
        BECOMES [[copy(count, &in[MUTANT ? operand : !operand], out);]] SEEN_BY recipe_bits SETS scalar)
-mutant(recipe.columns IN recipe TEXT [[for (size_t slice = 1; array != NULL]]
-       BECOMES [[for (size_t slice = MUTANT ? 2 : 1; array != NULL]] SEEN_BY recipe_bits SETS scalar)
-mutant(recipe.registers IN recipe TEXT [=[(stays || r.last[reads[i]] == steps ? steps : k)]=]
-       BECOMES [=[((stays && !MUTANT) || r.last[reads[i]] == steps ? steps : k)]=]
-       SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.columns IN recipe TEXT [[start[1] + ((axes & 2) != 0 ? row : 0)]]
+       BECOMES [[start[1] + ((axes & 2) != 0 && !MUTANT ? row : 0)]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.registers IN recipe TEXT [=[(has(&s->kept, reads[i]) ? steps : k)]=]
+       BECOMES [=[(has(&s->kept, reads[i]) && !MUTANT ? steps : k)]=] SEEN_BY recipe_grids SETS scalar)
 mutant(recipe.guard IN recipe TEXT [[if (has(&below, n) && !has(&outside, n)]]
        BECOMES [[if (has(&below, n) && (MUTANT || !has(&outside, n))]] SEEN_BY recipe_bits SETS scalar)
-mutant(recipe.piece IN recipe TEXT [[piece.first[1] += (int64_t)row;]]
-       BECOMES [[piece.first[1] += MUTANT ? 0 : (int64_t)row;]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.piece IN recipe TEXT [[part.first[i] += (int64_t)box->from[i];]]
+       BECOMES [[part.first[i] += MUTANT ? 0 : (int64_t)box->from[i];]] SEEN_BY recipe_grids SETS scalar)
+mutant(recipe.copies IN recipe TEXT [[before->from[axis] == box->from[axis])]]
+       BECOMES [[(MUTANT || before->from[axis] == box->from[axis]))]] SEEN_BY recipe_grids SETS scalar)
+mutant(recipe.homes IN recipe TEXT [[read_twice.word[i] |= read.word[i] & by.word[i];]]
+       BECOMES [[read_twice.word[i] |= MUTANT ? 0 : read.word[i] & by.word[i];]] SEEN_BY recipe_grids SETS scalar)
 mutant(recipe.shared IN recipe TEXT [[a->index == b->index]]
        BECOMES [[(MUTANT || a->index == b->index)]] SEEN_BY recipe_bits SETS scalar)
 mutant(recipe.skips_strict IN recipe TEXT [[operand.highest < kept.lowest ?]]
