@@ -135,6 +135,9 @@ static int set_memory(struct recipe_machine *m, const struct recipe_evaluation *
         call->grid != NULL && m->schedule->guards == 0 ? MOST_OF_GRIDS : MOST_POINTS;
     m->room = (most < limit ? most : limit) / GRANULE * GRANULE;
     m->room = each > 0 && size / each < m->room ? size / each / GRANULE * GRANULE : m->room;
+    /* Compact pieces lie behind masks more often, and calls take longer for a few long rows. */
+    m->is_narrow = call->grid != NULL && registers > 0 &&
+                   (m->schedule->guards > 0 || m->room / 4 < call->grid->count[0]);
     char *at = (char *)m + MACHINE_BYTES;
     for (int i = 0; i < dimensions; i++) {
         m->position[i] = at;

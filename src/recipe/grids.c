@@ -2,6 +2,7 @@
  *
  * Takes a grid through the steps of a recipe, piece by piece. A piece has whole rows, and whole
  * slices, if there is room: so it is long where the caller's arrays are, and may be computed there.
+ * It is narrow where masks may hide it, or where few rows have room.
  *
  * Steps that do not depend on all axes run on a box of their own, which is one sample thick along
  * the others: all of the grid if that fits into a register, or else what the piece needs. They run
@@ -16,7 +17,8 @@
 
 #include "graph.h"
 
-#define BLOCK 16 /* floats that are copied at once */
+#define BLOCK 16  /* floats that are copied at once */
+#define NARROW 64 /* columns */
 
 /* Where a box of the grid goes. */
 struct target {
@@ -290,10 +292,12 @@ static void size_pieces(const struct recipe_machine *m, const struct scarp_grid 
 {
     const size_t slice = count[0] > m->room / count[1] ? m->room + 1 : count[0] * count[1];
     const bool has_gaps = grid->slice_stride != slice;
-    most[0] = cut(count[0], m->room);
-    most[1] = most[0] == count[0] ? cut(count[1], m->room / most[0]) : 1;
-    most[2] =
-        slice <= m->room && !(m->directs != 0 && has_gaps) ? cut(count[2], m->room / slice) : 1;
+    const size_t widest = m->is_narrow && m->room > NARROW ? NARROW : m->room;
+    most[0] = m->is_narrow && count[0] > widest ? widest : cut(count[0], widest);
+    most[1] = m->is_narrow || most[0] == count[0] ? cut(count[1], m->room / most[0]) : 1;
+    most[2] = most[0] * most[1] == slice && !(m->directs != 0 && has_gaps)
+                  ? cut(count[2], m->room / slice)
+                  : 1;
 }
 
 /* Whether nothing is left to compute that depends on all axes, and the rest is computed at once. */
@@ -378,7 +382,9 @@ enum scarp_status scarpi_recipe_run_grid(struct recipe_machine *m,
     m->at_once = find_at_once(m, &grid);
     const struct recipe_box all = {{0, 0, 0}, {grid.count[0], grid.count[1], grid.count[2]}};
     if (!is_only_spread(m)) {
-        m->directs = scarpi_recipe_has_no_gaps(call) ? scarpi_recipe_find_directs(m, call) : 0;
+        m->directs = !m->is_narrow && scarpi_recipe_has_no_gaps(call)
+                         ? scarpi_recipe_find_directs(m, call)
+                         : 0;
         size_pieces(m, &grid, all.count, most);
     }
     return run_pieces(m, &inside, all.count, most);

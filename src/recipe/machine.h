@@ -40,6 +40,7 @@ struct recipe_machine {
     const struct recipe_schedule *schedule;
     const struct recipe_plan *plan; /* constants of noises; NULL: there are none */
     bool has_doubles;
+    bool is_narrow; /* pieces of grids are narrow, in registers */
     bool has_parts; /* steps run once along axes on which they do not depend */
     uint8_t axes;   /* then: those of the steps that run */
     size_t room;    /* points of a register */
