@@ -110,11 +110,10 @@ foreach(set IN LISTS vector_sets)
 endforeach()
 
 # What makes kernels larger and no faster: copies of loops and of functions for conditions that stay the
-# same, or for arrays without gaps, padding before branches, and unwind tables: nothing unwinds through
-# kernels, which call nothing of their callers. Loops over the axes of the reference are spelled out: at -O2 alone it takes 20 % more
-# time, and at -O3 it is a quarter larger. (gcc 12; speed is within 4 % of -O3 alone, row by row. Measured
-# on x86-64 only; on POWER, the reference at -O2 copied numbers of features as floats, which makes
-# signalling NaNs quiet.)
+# same, or for arrays without gaps, and padding before branches. Loops over the axes of the reference are
+# spelled out: at -O2 alone it takes 20 % more time, and at -O3 it is a quarter larger. (gcc 12; speed is
+# within 4 % of -O3 alone, row by row. Measured on x86-64 only; on POWER, the reference at -O2 copied
+# numbers of features as floats, which makes signalling NaNs quiet.)
 set(vector_options)
 set(scalar_options)
 # Padding that reading recipes and planning have no use for
@@ -127,6 +126,8 @@ if(CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_
       -fno-align-jumps -fno-align-labels -fno-align-loops --param=max-completely-peeled-insns=400)
   set(text_options -fno-align-functions -fno-align-jumps -fno-align-labels -fno-align-loops)
 endif()
+# Nothing unwinds through the library, which calls nothing of its callers: the tables would be 20 KB of it.
+# Debuggers have those of -g.
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND NOT WIN32 AND NOT APPLE)
   set(no_unwinding -fno-asynchronous-unwind-tables -fno-unwind-tables)
 endif()
@@ -153,13 +154,13 @@ function(scarp_library_rules target)
   endif()
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
-    set(options)
+    set(options ${no_unwinding})
     if(source MATCHES "/kernels_[a-z0-9]+[.]c$")
-      set(options ${no_unwinding} ${vector_options})
+      list(APPEND options ${vector_options})
     elseif(source MATCHES "scalar/table[.]c$")
-      set(options ${no_unwinding} ${scalar_options})
+      list(APPEND options ${scalar_options})
     elseif(source MATCHES "/(recipe|plan)/" AND NOT source MATCHES "/(evaluate|interval|positions)[.]c$")
-      set(options ${text_options})
+      list(APPEND options ${text_options})
     endif()
     if(source MATCHES "(/kernels_[a-z0-9]+|calls/samples)[.]c$" AND SCARP_OPTIMIZE)
       list(APPEND options $<$<NOT:$<CONFIG:MinSizeRel>>:${optimize_hot}>)
