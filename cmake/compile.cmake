@@ -73,7 +73,7 @@ endfunction()
 # Unoptimised kernels are 20 times slower, and a parent project without a build type, or in Debug,
 # would get them without a word. (With gcc 12, -O2 costs kernels 8 % in the mean over all kinds of call
 # and up to 70 % of few points, and calls/samples.c 10 % of a point; -Os, which MinSizeRel asks for, 20 %
-# and a factor of 3. All else is as fast at -O2. Texts of shaders and descriptions are written rarely: -Os.
+# and a factor of 3. All else is as fast at -O2. Texts of shaders, descriptions and rare parts of recipes: -Os.
 # It would make reading recipes a third slower.)
 if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
   set(optimize -O3)
@@ -159,12 +159,12 @@ function(scarp_library_rules target)
       list(APPEND options ${vector_options})
     elseif(source MATCHES "scalar/table[.]c$")
       list(APPEND options ${scalar_options})
-    elseif(source MATCHES "/(recipe|plan)/" AND NOT source MATCHES "/(evaluate|interval|positions)[.]c$")
+    elseif(source MATCHES "/(recipe|plan)/" AND NOT source MATCHES "/(coordinates|evaluate|grids|interval|machine|operations|positions|skips)[.]c$")
       list(APPEND options ${text_options})
     endif()
     if(source MATCHES "(/kernels_[a-z0-9]+|calls/samples)[.]c$" AND SCARP_OPTIMIZE)
       list(APPEND options $<$<NOT:$<CONFIG:MinSizeRel>>:${optimize_hot}>)
-    elseif(source MATCHES "/(shader(_[a-z]+)?|shaders|describe|queries|names|isa)[.]c$" AND SCARP_OPTIMIZE)
+    elseif(source MATCHES "/(shader(_[a-z]+)?|shaders|describe|queries|names|isa|change|members|noises|places|summary)[.]c$" AND SCARP_OPTIMIZE)
       list(APPEND options $<$<NOT:$<CONFIG:MinSizeRel>>:${optimize_cold}>)
     endif()
     set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${options})
