@@ -30,3 +30,7 @@ scarp_test_program(honesty SOURCES honesty_subjects.c oracle_gullies.c oracle_re
                    ${oracle_sources})
 target_link_libraries(honesty PRIVATE scarp-presets)
 scarp_add_sized_test(honesty accuracy NOT emulated sanitized SIZES 512 12 4 2 COMMAND honesty {})
+
+# The lattice hash and the keys
+scarp_test_program(test_hash INTERNAL)
+scarp_add_sized_test(hash hash NOT emulated sanitized SIZES 19 16 14 14 COMMAND test_hash {})

@@ -31,7 +31,7 @@ typedef struct recipe_interval bounds;
 #define PLACE 0x1p64 /* nor is one of their places, so positions of all octaves are below 2^116 */
 #define VALUE 0x1p100f
 #define LANES 16
-#define FEW 16 /* points, which cost less than to decide */
+#define FEW 32 /* points, which cost less than to decide */
 
 int scarpi_recipe_skips(int operation)
 {

@@ -1,15 +1,30 @@
 /* SPDX-License-Identifier: MIT
  *
- * Operands that cannot matter, since bounds say so.
+ * Operands that cannot matter, since bounds say so; and sets of nodes.
  */
 #ifndef SCARP_RECIPE_SKIPS_H
 #define SCARP_RECIPE_SKIPS_H
 
 #include <stdbool.h>
 
-#include "set.h"
+#include "recipe.h"
 
 struct recipe_machine;
+
+/* Sets of nodes */
+struct node_set {
+    uint64_t word[RECIPE_NODES / 64];
+};
+
+static inline int has(const struct node_set *set, int n)
+{
+    return (int)(set->word[(unsigned)n / 64] >> (unsigned)n % 64 & 1);
+}
+
+static inline void put_node(struct node_set *set, int n)
+{
+    set->word[(unsigned)n / 64] |= UINT64_C(1) << (unsigned)n % 64;
+}
 
 /* Whether what is left out of guards is decided, and how. Of an operand that is left out by its
    bounds: it is below, or above, all values that matter. */
