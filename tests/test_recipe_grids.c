@@ -28,6 +28,9 @@ static const char *const texts[] = {
     "recipe 1\nout a = 100 * noise(size=2) + 3",
     "recipe 1\nn = noise(size=2)\nout a = n\nout b = 2 * noise(value)\nout c = n\nout d = abs(n)",
     "recipe 1\nout a = noise(swiss, octaves=2)\nout b = noise(simplex)\nout c = noise() * 2 - 1",
+    "recipe 1\nout a = 9 - 2 * noise(swiss, octaves=2)\nout b = 3 * noise(cell_f1) + 1\n"
+    "w = noise(amplitude=0.5)\nout c = 7 * warp(noise(), w) - 2\nout d = -noise(value, rotate)",
+    SPACE_ONE "out a = 2 - noise(octaves=3)\nout b = 9 * noise(jordan)\nout c = 3 * noise(cell_f2)",
     SPACE_ONE "out a = terrace(smoothstep(noise(size=3), -0.5, 0.5), 4) + 0.25",
     SPACE_ONE "out a = noise(rotate, octaves=2)\nout b = noise(cell_f1)\nout c = -noise()",
     /* Of fewer axes */
