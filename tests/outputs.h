@@ -201,7 +201,7 @@ static inline void outputs_free(struct outputs *o)
 
 static inline float *outputs_row(const struct outputs *o, unsigned mask, int m, size_t first)
 {
-    return (mask >> m & 1) != 0 ? o->array[m] + first : NULL;
+    return (mask >> m & 1) != 0 && o->array[m] != NULL ? o->array[m] + first : NULL;
 }
 
 /* The members of `mask`, from element `first` on; the others NULL. */
