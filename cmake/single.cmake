@@ -218,9 +218,15 @@ string(REGEX REPLACE "\"[^\"\n]*\"" "" code "${code}") # texts
 string(REGEX MATCHALL "[A-Za-z_][A-Za-z_0-9]*" shared_words "${code}")
 list(REMOVE_DUPLICATES shared_words)
 
-# The files that are compiled once
+# The files that are compiled once. Whoever compiles all of them into one directory has an object of each.
 set(once "")
+set(objects "")
 foreach(source IN LISTS sources)
+  get_filename_component(object ${source} NAME)
+  if(object IN_LIST objects)
+    message(FATAL_ERROR "${source}: another file has the name ${object}, too")
+  endif()
+  list(APPEND objects ${object})
   set_property(GLOBAL PROPERTY seen ${shared_seen})
   expand(${source} text OFF)
   names_of("${text}" names macros)

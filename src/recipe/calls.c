@@ -13,7 +13,7 @@
 #include "evaluate.h"
 #include "interval.h"
 #include "parse.h"
-#include "plan.h"
+#include "plans.h"
 #include "schedule.h"
 
 #define STACK_BYTES 7168 /* of scratch memory, if the caller has none */

@@ -8,7 +8,7 @@
 #include "graph.h"
 #include "grids.h"
 #include "machine.h"
-#include "plan.h"
+#include "plans.h"
 
 #define ALIGNMENT 64
 #define GRANULE 16 /* registers have room for a multiple of this many points */

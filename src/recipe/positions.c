@@ -9,7 +9,7 @@
 
 #include "graph.h"
 #include "machine.h"
-#include "plan.h"
+#include "plans.h"
 
 #define BLOCK 64 /* points */
 

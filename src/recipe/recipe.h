@@ -18,7 +18,7 @@
  *     evaluate.c       steps over chunks of points; grids.c: over pieces of grids
  *     positions.c      one step of a node that has a place; coordinates.c: where that is;
  *                      operations.c: of another node; machine.c: where samples are
- *     plan.c           constants of noises that callers keep
+ *     plans.c          constants of noises that callers keep
  *     words.c          the functions and their arguments, for the compiler and for editors
  *     calls.c          the public functions; change.c: those that set something; describe.c: those
  *                      that editors ask, for which summary.c looks at nodes

@@ -5,8 +5,8 @@
  * noise that they are for. So a plan of another recipe, or of this one before it was changed, does
  * no harm.
  */
-#ifndef SCARP_RECIPE_PLAN_H
-#define SCARP_RECIPE_PLAN_H
+#ifndef SCARP_RECIPE_PLANS_H
+#define SCARP_RECIPE_PLANS_H
 
 #include <stddef.h>
 
