@@ -18,7 +18,7 @@
 #include "graph.h"
 
 #define BLOCK 16  /* floats that are copied at once */
-#define NARROW 64 /* columns */
+#define NARROW 256 /* columns */
 
 /* Where a box of the grid goes. */
 struct target {
