@@ -56,6 +56,8 @@ export class Pictures {
                 this.asked.delete(id);
             }
         });
+        // The host has none while it reads a text, and says nothing later.
+        setTimeout(() => this.asked.get(id) === entry && this.#ask(view), PATIENCE + 50);
     }
 
     // A card that is built anew keeps its picture until there is another.
