@@ -31,7 +31,7 @@ scarp_test_program(test_recipe_grids)
 foreach(isa IN LISTS isas)
   scarp_add_sized_test(recipe.grids.${isa} recipe IN wasm
                        NOT debug:sse4.1 emulated:scalar sanitized:scalar,generic,sse4.1,avx2
-                       SIZES 300 20 4 0
+                       SIZES 300 10 4 0
                        COMMAND test_recipe_grids ${isa} {})
 endforeach()
 
