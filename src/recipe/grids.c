@@ -17,7 +17,7 @@
 
 #include "graph.h"
 
-#define BLOCK 16  /* floats that are copied at once */
+#define BLOCK 16   /* floats that are copied at once */
 #define NARROW 256 /* columns */
 
 /* Where a box of the grid goes. */
