@@ -73,8 +73,9 @@ endfunction()
 # Unoptimised kernels are 20 times slower, and a parent project without a build type, or in Debug,
 # would get them without a word. (With gcc 12, -O2 costs kernels 8 % in the mean over all kinds of call
 # and up to 70 % of few points, and calls/samples.c 10 % of a point; -Os, which MinSizeRel asks for, 20 %
-# and a factor of 3. All else is as fast at -O2. Texts of shaders, descriptions and rare parts of recipes: -Os.
-# It would make reading recipes a third slower.)
+# and a factor of 3. All else is as fast at -O2. -Os costs nothing that is noticed where texts of shaders and
+# descriptions are written, and in some parts of reading recipes; with it in all of these, they are read a
+# third slower.)
 if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
   set(optimize -O3)
   set(optimize_hot -O3)
@@ -116,8 +117,10 @@ endforeach()
 # numbers of features as floats, which makes signalling NaNs quiet.)
 set(vector_options)
 set(scalar_options)
-# Padding that reading recipes and planning have no use for
+# Reading recipes and planning have no use for padding.
 set(text_options)
+set(hot_recipe_sources coordinates|evaluate|grids|interval|machine|operations|positions|skips)
+set(cold_sources change|describe|isa|members|names|noises|places|queries|shader[a-z_]*|summary)
 set(no_unwinding)
 if(CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
   set(vector_options -fno-unswitch-loops -fno-split-loops -fno-split-paths -fno-ipa-cp-clone
@@ -159,12 +162,12 @@ function(scarp_library_rules target)
       list(APPEND options ${vector_options})
     elseif(source MATCHES "scalar/table[.]c$")
       list(APPEND options ${scalar_options})
-    elseif(source MATCHES "/(recipe|plan)/" AND NOT source MATCHES "/(coordinates|evaluate|grids|interval|machine|operations|positions|skips)[.]c$")
+    elseif(source MATCHES "/(recipe|plan)/" AND NOT source MATCHES "/(${hot_recipe_sources})[.]c$")
       list(APPEND options ${text_options})
     endif()
     if(source MATCHES "(/kernels_[a-z0-9]+|calls/samples)[.]c$" AND SCARP_OPTIMIZE)
       list(APPEND options $<$<NOT:$<CONFIG:MinSizeRel>>:${optimize_hot}>)
-    elseif(source MATCHES "/(shader(_[a-z]+)?|shaders|describe|queries|names|isa|change|members|noises|places|summary)[.]c$" AND SCARP_OPTIMIZE)
+    elseif(source MATCHES "/(${cold_sources})[.]c$" AND SCARP_OPTIMIZE)
       list(APPEND options $<$<NOT:$<CONFIG:MinSizeRel>>:${optimize_cold}>)
     endif()
     set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${options})
