@@ -1448,7 +1448,7 @@ struct scarp_scratch {
     /* what scarp_recipe_plan_make made of the recipe; NULL: none. Results do not depend on it. It
        serves without `memory`, too. */
     const void *plan SCARP_ZERO;
-    uint32_t spare[10] SCARP_ZERO; /* reserved: 0 */
+    uint32_t spare[(64 - 3 * sizeof(void *)) / 4] SCARP_ZERO; /* reserved: 0. 64 bytes in all. */
 };
 
 /* Which outputs a call computes, and where their samples go. */

@@ -85,7 +85,7 @@ export const scarp_recipe_error = {
     SIZE: 56, from: 0, to: 4, line: 8, column: 12, text: 16, member: 20, nearest: 24,
 };
 
-export const scarp_scratch = { SIZE: 52, memory: 0, size: 4, plan: 8 };
+export const scarp_scratch = { SIZE: 64, memory: 0, size: 4, plan: 8 };
 
 export const scarp_recipe_outputs = { SIZE: 48, out: 0, which: 4, count: 8 };
 

@@ -42,7 +42,7 @@ SAME(eroded_size, sizeof(struct scarp_eroded), POINTERS(16));
 SAME(displacement_offset, offsetof(struct scarp_eroded, displacement_dy), POINTERS(5));
 SAME(recipe_size, sizeof(struct scarp_recipe), 65536);
 SAME(error_line_offset, offsetof(struct scarp_recipe_error, line), POINTERS(2));
-SAME(scratch_size, sizeof(struct scarp_scratch), POINTERS(3) + 40);
+SAME(scratch_size, sizeof(struct scarp_scratch), 64);
 SAME(which_offset, offsetof(struct scarp_recipe_outputs, which), POINTERS(1));
 SAME(box_size, sizeof(struct scarp_box), 48);
 SAME(slider_offset, offsetof(struct scarp_recipe_entry, slider), 40);

@@ -2218,13 +2218,12 @@ namespace Scarp
             public fixed uint spare[6];
         }
 
-        [StructLayout(LayoutKind.Sequential)]
+        [StructLayout(LayoutKind.Sequential, Size = 64)]
         public unsafe struct scarp_scratch
         {
             public void* memory;
             public UIntPtr size;
             public void* plan;
-            public fixed uint spare[10];
         }
 
         [StructLayout(LayoutKind.Sequential)]

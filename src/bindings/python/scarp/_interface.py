@@ -211,11 +211,11 @@ STRUCTURES = {
         ('nearest', 'f8', ()),
         ('spare', 'u4', (6,)),
     )),
-    'scarp_scratch': ((52, 64), (
+    'scarp_scratch': (64, (
         ('memory', 'pointer', ()),
         ('size', 'size', ()),
         ('plan', 'pointer', ()),
-        ('spare', 'u4', (10,)),
+        ('spare', 'u4', ((13, 10),)),
     )),
     'scarp_recipe_outputs': ((48, 56), (
         ('out', 'pointer', ()),

@@ -312,7 +312,7 @@ pub struct scarp_scratch {
     pub memory: *mut c_void,
     pub size: usize,
     pub plan: *const c_void,
-    pub spare: [u32; 10],
+    pub spare: [u32; (64 - 3 * size_of::<usize>()) / 4],
 }
 
 impl Default for scarp_scratch {
@@ -1217,7 +1217,7 @@ mod layout {
     }
 
     layout! {
-        scarp_scratch: 52, 64;
+        scarp_scratch: 64, 64;
         memory: 0, 0;
         size: 4, 8;
         plan: 8, 16;
