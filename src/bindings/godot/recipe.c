@@ -381,12 +381,18 @@ static void at(void *instance, arguments argument, GDExtensionTypePtr result)
     struct scarp_samples out = {.value = &value};
     struct scarp_recipe_outputs outputs = {.out = &out, .which = &which, .count = 1};
     struct scarp_scratch scratch = {.plan = self->plan}; /* the stack does for most recipes */
-    if (which >= 0 && scarp_recipe_sample_f64(self->recipe, 1, &x, &y, &z, &outputs, &scratch) ==
-                          SCARP_ERROR_SIZE) {
+    enum scarp_status status = SCARP_OK;
+    if (which >= 0) {
+        status = scarp_recipe_sample_f64(self->recipe, 1, &x, &y, &z, &outputs, &scratch);
+    }
+    if (status == SCARP_ERROR_SIZE) {
         scratch.size = scarp_recipe_scratch_size(self->recipe, 0, 0);
         scratch.memory = malloc(scratch.size);
-        scarp_recipe_sample_f64(self->recipe, 1, &x, &y, &z, &outputs, &scratch);
+        status = scarp_recipe_sample_f64(self->recipe, 1, &x, &y, &z, &outputs, &scratch);
         free(scratch.memory);
+    }
+    if (status != SCARP_OK) {
+        godot_error("at", "%s", scarp_status_text(status));
     }
     *(double *)result = (double)value;
 }
