@@ -169,9 +169,11 @@ impl Recipe {
         // SAFETY: the pointer is valid.
         let bytes = unsafe { ffi::scarp_recipe_plan_size(&*self.c) };
         self.plan.resize(bytes / 8 + 1, 0);
-        // A plan that is not made is that of the recipe before, which does no harm.
+        let to = self.plan.as_mut_ptr().cast();
         // SAFETY: both pointers are valid, and there is room for all bytes.
-        unsafe { ffi::scarp_recipe_plan_make(&*self.c, self.plan.as_mut_ptr().cast(), bytes) };
+        if unsafe { ffi::scarp_recipe_plan_make(&*self.c, to, bytes) } != ffi::SCARP_OK {
+            self.plan.fill(0); // no plan: calls with few points take longer
+        }
     }
 
     fn entry_at(&self, index: usize) -> Option<ffi::scarp_recipe_entry> {

@@ -160,10 +160,8 @@ fn a_field_of_many_parts() -> Result {
 /// Threads share a recipe, for large calls and for single points.
 #[test]
 fn a_recipe_in_threads() -> Result {
-    fn is_shared<T: Send + Sync>(_: &T) {}
     const MANY: usize = 5000;
     let recipe = Recipe::preset("alps")?;
-    is_shared(&recipe);
     let x: Vec<f64> = (0..MANY).map(|i| i as f64 * 7.0).collect();
     let mut expected = Arrays::plane(MANY, 1);
     recipe.sample2(&x, &x, &mut [("alps", expected.samples())], &mut Scratch::new())?;
