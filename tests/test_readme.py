@@ -30,7 +30,7 @@ DOCUMENTS = {
     "README.md": {"program": 2, "fragment": 1, "python": 1},
     "src/bindings/README.md": {"program in C++": 1},
     "src/examples/published.md": {"program": 1},
-    "src/examples/README.md": {"program": 13, "python": 2, "session": 3},
+    "src/examples/README.md": {"program": 14, "python": 2, "session": 3},
     "src/cli/README.md": {"animation": 1},
     "src/gpu/README.md": {"fragment": 2},
     "src/recipe/README.md": {"program": 1},
