@@ -523,10 +523,9 @@ struct scarp_plan {
  *
  * To compute the constants of a noise takes about as long as 15 points (one octave) or 10 (eight
  * octaves), and with a phase up to three times as long. With noise->plan = plan, calls take them
- * from *plan, and give the same bits. Those are the calls in as many `dimensions`, 2 or 3, as the
- * plan was made for, but those that take vector noise (scarp_vector_plan_make). One plan serves all
- * outputs, floats and doubles, every kernel set, and any number of threads at a time. Calls only
- * read it.
+ * from *plan, and give the same bits. So do all calls in as many `dimensions`, 2 or 3, as the plan
+ * was made for, except those of vector noise (scarp_vector_plan_make). One plan serves all outputs,
+ * floats and doubles, every kernel set, and any number of threads at a time. Calls only read it.
  *
  *     struct scarp_plan plan;
  *     struct scarp_noise noise = {.octaves = 8.0f};
@@ -572,8 +571,8 @@ SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int
  *     }
  *
  * A plan has room for 50 octaves. Gradient and value noise have at most 32, which all components
- * share. With other bases, each component has its own. If these are more than 50 in all, the plan
- * is made and fits no noise.
+ * share. With other bases, each component has its own. If these are more than 50 in all, the result
+ * is SCARP_OK, but no call uses the plan.
  *
  * Errors: as scarp_plan_make.
  */
@@ -1552,8 +1551,8 @@ SCARP_API size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, in
  *
  * A plan that does not fit does no harm. Calls compare each noise that the plan was made of with
  * the one of the recipe. Where they differ, or the version of the library does, calls compute the
- * constants. So a plan may stay where it is while the recipe is changed, and another recipe may
- * meet it. But the behaviour is undefined if a good plan was changed in part.
+ * constants. So a plan may stay where it is while the recipe is changed, and calls for another
+ * recipe may be given it. But the behaviour is undefined if a good plan was changed in part.
  *
  * No other thread may use the memory while a plan is made there. On an error it is left as it was.
  *

@@ -13,10 +13,10 @@
  *   are points, a span of a grid at least as many as there are from its first sample to its last.
  *   Otherwise the status is SCARP_ERROR_SIZE, and the span is named. An output whose span is empty
  *   is not computed.
- * - A function throws a scarp::error, or aborts where exceptions are off. Functions whose names
- * begin with try_ are noexcept, and return a scarp::result.
- * - A recipe owns its memory, a kept_noise its plan, and a scratch what recipes are sampled in, of
- *   which each thread has one. Nothing else allocates.
+ * - A function throws a scarp::error, or aborts where exceptions are off. Functions with names that
+ *   begin with try_ are noexcept, and return a scarp::result.
+ * - A recipe owns its memory, and a kept_noise its plan. A scratch owns memory in which recipes are
+ *   sampled; each thread has one. Nothing else allocates.
  *
  * Calls keep no span after they return. The noise that noise.warp points to stays the caller's. Any
  * thread may call any function at any time. Any number of threads may sample or copy one object, if
@@ -474,7 +474,8 @@ void chain(scarp_status (*function)(std::size_t, const scarp_samples *, P...), c
 }
 
 /* A noise with its plan in 2 or 3 `dimensions`, for many calls with few points. Pass it in the
-   place of a noise. Copies share the plan, which lives as long as one of them. */
+   place of a noise. Copies share the plan, which lives as long as one of them. A warp brings its own
+   plan, if any: see scarp_vector_plan_make. */
 class kept_noise
 {
   public:

@@ -536,7 +536,7 @@ namespace Scarp
             }
         }
 
-        // Vector noise, which does without a plan
+        // Vector noise, for which MakePlan makes no plan
         void Run(Request* r, in Samples first, in Samples second, in Samples third)
         {
             int links = Links;
@@ -611,8 +611,8 @@ namespace Scarp
         }
 
         /// <summary>Computes the constants of this noise once, for calls with few points. Change
-        /// members before: with others, calls do without it. Noise with a warp does without,
-        /// too.</summary>
+        /// members before: with others, calls do without it. It has nothing of warps, whose
+        /// constants each call computes.</summary>
         public void MakePlan(int dimensions)
         {
             Check(dimensions);

@@ -9,7 +9,7 @@ use std::os::raw::c_int;
 /// half the time with it, and gives the same bits.
 ///
 /// A plan knows the noise that it was made of. It does no harm to others: a call whose noise
-/// differs in any way, or has a warp, does without.
+/// differs in any way does without. The plan has nothing of a warp, so that may differ.
 ///
 /// ```
 /// use scarp::{Noise, Plan, Samples};
