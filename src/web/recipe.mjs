@@ -168,7 +168,6 @@ export class Recipe {
             at = memory.allocate(length + 1);
         this.#indices = indicesOf(this.#text, bytes);
         new Uint8Array(memory.buffer, at, length).set(bytes);
-        new Uint8Array(memory.buffer, this.#at + RECIPE.SIZE, STORE.SIZE).fill(0);
         const found = this.#description;
         view.setUint32(found, 0, true);
         const status = exports.scarp_recipe_parse(
