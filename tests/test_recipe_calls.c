@@ -106,6 +106,26 @@ static void check_scratch_size(void)
     CHECK(scarp_recipe_scratch_size(&recipe, 0, SIZE_MAX / 65536 + 1) == 0, "too many points");
 }
 
+/* Parts of grids take registers, which must not be missing where there is no scratch memory. */
+static void check_without_memory(void)
+{
+    (void)parses("recipe 1\nspace 3\nn = noise(seed=1)\nm = flat(noise(seed=2))\n"
+                 "a = n + m + sine((x + y) / 16) + m * smoothstep(z / 4, 0, 1) + abs(x)");
+    for (int order = 0; order < 3; order++) {
+        float of[10];
+        const float at = 1.0f;
+        const double at_f64 = 1.0;
+        const struct scarp_samples out = recipe_samples(of, 1, order, 1);
+        const struct scarp_recipe_outputs outputs = {.out = &out, .count = 1};
+        const struct scarp_grid grid = {.step = {1.0, 1.0, 1.0}, .count = {1, 1, 1}};
+        CHECK(scarp_recipe_sample(&recipe, 1, &at, &at, &at, &outputs, NULL) == SCARP_OK &&
+                  scarp_recipe_sample_f64(&recipe, 1, &at_f64, &at_f64, &at_f64, &outputs, NULL) ==
+                      SCARP_OK &&
+                  scarp_recipe_grid(&recipe, &grid, &outputs, NULL) == SCARP_OK,
+              "order %d", order);
+    }
+}
+
 static void check_set(void)
 {
     const struct scarp_samples out = {.value = value};
@@ -436,6 +456,7 @@ int main(void)
     set_positions();
     check_calls();
     check_scratch_size();
+    check_without_memory();
     check_set();
     check_seeds();
     check_by_hand();

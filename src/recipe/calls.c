@@ -114,12 +114,12 @@ static enum scarp_status evaluate_in(struct recipe_evaluation *call,
     return scarpi_recipe_evaluate(call);
 }
 
-/* Others than the outputs have a plan of their own, on the stack. */
-static NOINLINE enum scarp_status evaluate_others(struct recipe_evaluation *call,
-                                                  const struct scarp_scratch *scratch)
+/* Others than the outputs have a schedule of their own, on the stack. */
+static NOINLINE enum scarp_status
+evaluate_others(struct recipe_evaluation *call, const struct scarp_scratch *scratch, int has_parts)
 {
     struct recipe_schedule schedule;
-    scarpi_recipe_schedule(call->recipe, call->root, call->outputs, &schedule);
+    scarpi_recipe_schedule(call->recipe, call->root, call->outputs, has_parts, &schedule);
     call->schedule = &schedule;
     return evaluate_in(call, scratch);
 }
@@ -143,7 +143,7 @@ static NOINLINE enum scarp_status evaluate(struct recipe_evaluation *call, const
         return status;
     }
     if (!are_outputs(call)) {
-        return evaluate_others(call, scratch);
+        return evaluate_others(call, scratch, call->grid != NULL); /* points have no parts */
     }
     call->schedule = &call->recipe->schedule;
     return evaluate_in(call, scratch);
@@ -174,7 +174,10 @@ static enum scarp_status run(struct recipe_evaluation *call,
     call->outputs = outputs->count;
     call->out = outputs->out;
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = evaluate(call, outputs->which, scratch);
+    enum scarp_status status = evaluate(call, outputs->which, scratch);
+    if (status == SCARP_ERROR_SIZE) { /* without parts, fewer registers do */
+        status = evaluate_others(call, scratch, 0);
+    }
     fpmode_leave(caller);
     return status;
 }

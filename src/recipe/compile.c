@@ -88,7 +88,7 @@ void scarpi_recipe_compile(struct recipe *recipe, struct recipe_errors *errors)
     }
     recipe->is_bad = errors->found != 0;
     if (!recipe->is_bad) {
-        scarpi_recipe_schedule(recipe, roots, recipe->outputs, &recipe->schedule);
+        scarpi_recipe_schedule(recipe, roots, recipe->outputs, 1, &recipe->schedule);
     }
     compile_parts(&c);
     for (int i = 0; i < recipe->outputs && !recipe->is_bad; i++) {

@@ -102,7 +102,8 @@ static int set_orders(struct recipe_machine *m, const struct recipe_evaluation *
     return highest;
 }
 
-/* How many registers a call needs: none if all steps run in the caller's arrays. */
+/* How many registers a call needs: none if all steps run in the caller's arrays. Those of copies are
+   the last ones. */
 static size_t registers_of(const struct recipe_machine *m, const struct recipe_evaluation *call)
 {
     const unsigned directs = scarpi_recipe_find_directs(m, call);
@@ -111,7 +112,8 @@ static size_t registers_of(const struct recipe_machine *m, const struct recipe_e
         const int home = m->schedule->home_of[m->schedule->step[k]];
         is_direct = is_direct && home > 0 && (directs >> (home - 1) & 1) != 0;
     }
-    return is_direct ? 0 : (size_t)m->schedule->registers;
+    const int copies = m->has_parts ? 0 : m->schedule->copies;
+    return is_direct ? 0 : (size_t)(m->schedule->registers - copies);
 }
 
 /* Divides what is left of the scratch memory into registers and positions. Returns 0 if no point

@@ -587,10 +587,10 @@ int scarpi_recipe_mask_guard(const struct recipe_schedule *schedule, int guard)
 }
 
 void scarpi_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
-                            struct recipe_schedule *schedule)
+                            int has_parts, struct recipe_schedule *schedule)
 {
     struct scheduler s = {.is_full = 1};
-    for (int has_parts = 1; s.is_full; has_parts--) {
+    for (; s.is_full; has_parts = 0) {
         s = (struct scheduler){.recipe = recipe, .to = schedule};
         memset(schedule, 0, sizeof *schedule);
         find_axes(&s, has_parts);

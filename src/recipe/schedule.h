@@ -7,9 +7,10 @@
 
 #include "recipe.h"
 
-/* Plans how to compute some nodes. */
+/* Plans how to compute some nodes. With `has_parts`, grids compute what does not depend on all axes
+   once along each of the others, if there is room for its copies. Without, fewer registers do. */
 void scarpi_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
-                            struct recipe_schedule *schedule);
+                            int has_parts, struct recipe_schedule *schedule);
 
 /* The next guard around a guard, or itself, that a mask decides: points have no bounds; 0: none. */
 int scarpi_recipe_mask_guard(const struct recipe_schedule *schedule, int guard);
