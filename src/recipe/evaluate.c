@@ -195,15 +195,20 @@ unsigned scarpi_recipe_find_directs(const struct recipe_machine *m,
 }
 
 /* Copies outputs of points from i on that are in registers. */
-static void copy_outputs(const struct recipe_machine *m, const struct recipe_evaluation *call,
-                         size_t i, size_t count)
+static NOINLINE void copy_outputs(const struct recipe_machine *m,
+                                  const struct recipe_evaluation *call, size_t i, size_t count)
 {
-    for (int k = 0; k < call->outputs * RECIPE_MEMBERS; k++) {
-        const int output = k / RECIPE_MEMBERS, member = k % RECIPE_MEMBERS;
-        const struct scarp_samples s = scarpi_recipe_samples(m, call->root[output]);
-        float *const array = recipe_member(&call->out[output], member);
-        if (array != NULL && (m->directs >> output & 1) == 0) {
-            memcpy(array + i, recipe_member(&s, member), count * sizeof *array);
+    for (int output = 0; output < call->outputs; output++) {
+        if ((m->directs >> output & 1) != 0) {
+            continue;
+        }
+        struct scarp_samples s;
+        scarpi_recipe_find_samples(m, call->root[output], &s);
+        for (int k = 0; k < RECIPE_MEMBERS; k++) {
+            float *const array = recipe_member(&call->out[output], k);
+            if (array != NULL) {
+                memcpy(array + i, recipe_member(&s, k), count * sizeof *array);
+            }
         }
     }
 }

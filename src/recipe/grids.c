@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../calls/run.h"
 #include "graph.h"
 
 #define BLOCK 16   /* floats that are copied at once */
@@ -157,7 +158,7 @@ static unsigned find_at_once(const struct recipe_machine *m, const struct scarp_
 {
     unsigned at_once = 0;
     for (int axes = 0; axes < m->schedule->all_axes && m->has_parts; axes++) {
-        uint64_t samples = 1; /* up to 2^32 times what has room */
+        uint64_t samples = 1; /* at most the square of what has room, or UINT64_MAX */
         for (int i = 0; i < 3; i++) {
             const size_t count = (axes >> i & 1) != 0 ? grid->count[i] : 1;
             samples = count > m->room || samples > m->room ? UINT64_MAX : samples * count;
@@ -213,19 +214,15 @@ run_piece(struct recipe_machine *m, const struct scarp_grid *grid, const struct 
 }
 
 /* Copies the outputs of a piece that are not there yet. */
-static void copy_outputs(const struct recipe_machine *m, const struct recipe_evaluation *call,
-                         const struct target *to)
+static NOINLINE void copy_outputs(const struct recipe_machine *m,
+                                  const struct recipe_evaluation *call, const struct target *to)
 {
     const size_t from =
         to->box.from[0] + to->box.from[1] * to->row_stride + to->box.from[2] * to->slice_stride;
     for (int i = 0; i < call->outputs; i++) {
-        struct scarp_samples out = {0};
-        for (int k = 0; k < RECIPE_MEMBERS; k++) {
-            float *array = recipe_member(&call->out[i], k);
-            array = array == NULL ? NULL : array + from;
-            memcpy((char *)&out + (size_t)k * sizeof array, &array, sizeof array);
-        }
         if (((m->directs | m->wholes) >> i & 1) == 0) {
+            struct scarp_samples out;
+            scarpi_recipe_find_output(&call->out[i], from, &out);
             spread_samples(m, call->root[i], to, &out);
         }
     }

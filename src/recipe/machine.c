@@ -13,8 +13,8 @@ static void clear(struct scarp_samples *s)
     s->spare[0] = s->spare[1] = s->spare[2] = s->spare[3] = s->spare[4] = NULL;
 }
 
-/* The samples of an output, in its arrays from an element on. */
-static void find_output(const struct scarp_samples *out, size_t from, struct scarp_samples *to)
+void scarpi_recipe_find_output(const struct scarp_samples *out, size_t from,
+                               struct scarp_samples *to)
 {
     clear(to);
     for (int i = 0; i < RECIPE_MEMBERS; i++) {
@@ -42,7 +42,7 @@ void scarpi_recipe_find_samples(const struct recipe_machine *m, int node, struct
 {
     const int home = m->schedule->home_of[node];
     if (home > 0 && (m->directs >> (home - 1) & 1) != 0) {
-        find_output(&m->out[home - 1], m->direct_from, to);
+        scarpi_recipe_find_output(&m->out[home - 1], m->direct_from, to);
     } else {
         scarpi_recipe_find_in_register(m, node, register_of(m, node), to);
     }

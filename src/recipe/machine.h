@@ -74,6 +74,10 @@ static inline struct scarp_samples scarpi_recipe_samples(const struct recipe_mac
     return s;
 }
 
+/* machine.c: the samples of an output, in its arrays from an element on. */
+void scarpi_recipe_find_output(const struct scarp_samples *out, size_t from,
+                               struct scarp_samples *to);
+
 /* machine.c: the members of a node in a register. */
 void scarpi_recipe_find_in_register(const struct recipe_machine *m, int node, int k,
                                     struct scarp_samples *to);
