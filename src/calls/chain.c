@@ -99,6 +99,8 @@ static int take_arrays(struct scarp_chain *to, const struct arguments *call)
 {
     const unsigned members = members_needed(call), partials = partials_needed(call);
     int missing = 0;
+    memset(to, 0, sizeof *to);
+    to->function = call->function;
     memcpy(to->out, call->out, sizeof to->out);
     for (int k = 0; k < call->inputs; k++) {
         const struct scarp_outputs *const in = (const struct scarp_outputs *)call->in[k];
@@ -236,31 +238,40 @@ static int asks_for_values(const struct scarp_samples *out)
     return kind.order == 0 && !kind.dphase && out->value != NULL;
 }
 
-/* take_arrays() for values only: most calls of recipes at few points are such. */
+/* Makes a call for values only, as most calls of recipes at few points are. `in` and `f`, of partial
+   derivatives, are NULL where the function does not read them. */
+static void make_values(struct scarp_chain *to, enum scarp_chain_function function,
+                        const float *const in[CHAIN_INPUTS], const float *f, float *out)
+{
+    to->function = function;
+    to->has_values_only = 1;
+    memset(to->number, 0, sizeof to->number);
+    for (int k = 0; k < CHAIN_INPUTS; k++) {
+        to->in[k][VALUE] = in[k];
+    }
+    to->partial[PARTIAL_F] = f;
+    to->out[VALUE] = out;
+}
+
+/* take_arrays() for values only */
 static int take_values(struct scarp_chain *to, const struct arguments *call)
 {
     const int is_given = takes_partials(call->function);
-    int missing = is_given && call->partials->f == NULL;
-    for (int k = 0; k < CHAIN_INPUTS; k++) {
-        to->in[k][VALUE] = k < call->inputs && !is_given ? call->in[k]->value : NULL;
-        missing |= k < call->inputs && !is_given && call->in[k]->value == NULL;
+    const float *in[CHAIN_INPUTS] = {NULL}, *const f = is_given ? call->partials->f : NULL;
+    int missing = is_given && f == NULL;
+    for (int k = 0; k < call->inputs && !is_given; k++) {
+        in[k] = call->in[k]->value;
+        missing |= in[k] == NULL;
     }
-    memset(to->number, 0, sizeof to->number);
-    to->partial[PARTIAL_F] = is_given ? call->partials->f : NULL;
-    to->out[VALUE] = call->out->value;
+    make_values(to, call->function, in, f, call->out->value);
     return !missing;
 }
 
 static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t count)
 {
     struct scarp_chain call;
-    call.function = arguments->function;
-    call.has_values_only = asks_for_values(arguments->out);
-    if (!call.has_values_only) {
-        memset(&call, 0, sizeof call);
-        call.function = arguments->function;
-    }
-    if (!(call.has_values_only ? take_values(&call, arguments) : take_arrays(&call, arguments))) {
+    const int has_values_only = asks_for_values(arguments->out);
+    if (!(has_values_only ? take_values(&call, arguments) : take_arrays(&call, arguments))) {
         return SCARP_ERROR_NULL;
     }
     if (!scarpi_chain_numbers(arguments->function, arguments->number, call.number)) {
@@ -273,7 +284,7 @@ static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t 
     if (kernels == NULL || reserved_in_use(arguments)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    if (call.has_values_only || asks_for_something(&call)) {
+    if (has_values_only || asks_for_something(&call)) {
         kernels->chain(&call, count);
     }
     return SCARP_OK;
@@ -285,14 +296,7 @@ enum scarp_status scarpi_chain_values(enum scarp_chain_function function, size_t
 {
     const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
     struct scarp_chain call;
-    call.function = function;
-    call.has_values_only = 1;
-    for (int k = 0; k < CHAIN_INPUTS; k++) {
-        call.in[k][VALUE] = in[k];
-    }
-    call.partial[PARTIAL_F] = NULL;
-    call.out[VALUE] = out;
-    memset(call.number, 0, sizeof call.number);
+    make_values(&call, function, in, NULL, out);
     if (!scarpi_chain_numbers(function, given, call.number)) {
         return SCARP_ERROR_PARAMETER;
     }

@@ -169,17 +169,20 @@ static void cells(const struct scarp_call_plan *plan, size_t count, const void *
 
 static void chain(const struct scarp_chain *call, size_t count)
 {
-    struct scarp_chain whole = {.function = call->function};
+    struct scarp_chain whole;
     if (call->has_values_only) { /* what is not set becomes NULL */
+        memset(&whole, 0, sizeof whole);
+        whole.function = call->function;
         memcpy(whole.number, call->number, sizeof whole.number);
         for (int input = 0; input < CHAIN_INPUTS; input++) {
             whole.in[input][VALUE] = call->in[input][VALUE];
         }
         whole.partial[PARTIAL_F] = call->partial[PARTIAL_F];
         whole.out[VALUE] = call->out[VALUE];
+        call = &whole;
     }
     for (size_t i = 0; i < count; i++) {
-        chain_at(call->has_values_only ? &whole : call, i);
+        chain_at(call, i);
     }
 }
 
