@@ -1489,7 +1489,8 @@ struct scarp_recipe_outputs {
  *                              dphase. Erosion, Swiss and Jordan noise, gullies, slopes and
  *                              distances in cells have no second derivatives.
  *     SCARP_ERROR_SIZE         no chunk fits into the scratch memory. Without any, what is asked
- *                              for needs more than 7 KiB for a chunk of one point.
+ *                              for needs more than 7 KiB for a chunk of 16
+ *                              points.
  */
 SCARP_API enum scarp_status scarp_recipe_sample(const struct scarp_recipe *recipe, size_t count,
                                                 const float *x, const float *y, const float *z,
@@ -1554,7 +1555,8 @@ SCARP_API size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, in
  * constants. So a plan may stay where it is while the recipe is changed, and calls for another
  * recipe may be given it. But the behaviour is undefined if a good plan was changed in part.
  *
- * No other thread may use the memory while a plan is made there. On an error it is left as it was.
+ * No other thread may use the memory while a plan is made there. On these errors it is left as it
+ * was.
  *
  * Errors:
  *

@@ -6,10 +6,10 @@
 
 #include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
-#include "../plan/check.h"
 #include "../plan/parameters.h"
 #include "../plan/plan.h"
 #include "../plan/range.h"
+#include "../plan/refusals.h"
 #include "run.h"
 #include "scarp.h"
 

@@ -2,7 +2,7 @@
  *
  * Checks the description of a noise.
  */
-#include "check.h"
+#include "refusals.h"
 
 #include <stddef.h>
 #include <string.h>

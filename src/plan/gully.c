@@ -7,8 +7,8 @@
 
 #include <math.h>
 
-#include "check.h"
 #include "parameters.h"
+#include "refusals.h"
 
 _Static_assert(offsetof(struct scarp_gullies, amplitude) == 16 &&
                    offsetof(struct scarp_gullies, period) == 80 &&

@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "check.h"
 #include "kept.h"
 #include "octaves.h"
 #include "phase.h"
+#include "refusals.h"
 
 static int is_power_of_two(uint32_t a)
 {

@@ -83,4 +83,7 @@ const char *scarpi_fault_told(struct scarp_fault fault, const char **member);
 /* Gives the status, and the same member. */
 enum scarp_status scarpi_fault_status(struct scarp_fault fault, const char **member);
 
+/* Makes the checks of scarp_noise_check, for all calls. In check.c. */
+struct scarp_fault scarpi_plan_check(const struct scarp_noise *noise, int dimensions);
+
 #endif

@@ -12,8 +12,8 @@
 #include "compile.h"
 #include "evaluate.h"
 #include "interval.h"
-#include "parse.h"
 #include "plans.h"
+#include "reader.h"
 #include "schedule.h"
 
 #define STACK_BYTES 7168 /* of scratch memory, if the caller has none */

@@ -6,7 +6,6 @@
 
 #include "../calls/run.h"
 #include "graph.h"
-#include "grids.h"
 #include "machine.h"
 #include "plans.h"
 

@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-#include "recipe.h"
+#include "machine.h"
 
 /* A call, once its arguments are checked. */
 struct recipe_evaluation {
@@ -46,5 +46,26 @@ void scarpi_recipe_raise_orders(const struct recipe *recipe, const struct recipe
    that are best for large calls. */
 size_t scarpi_recipe_bytes(const struct recipe *recipe, const struct recipe_schedule *schedule,
                            int order, size_t points);
+
+/*
+ * grids.c
+ */
+
+/* Finds the outputs of a call that are one noise. Returns whether all are. */
+bool scarpi_recipe_find_wholes(struct recipe_machine *m, const struct recipe_evaluation *call);
+
+/* Computes these outputs. */
+KEEP_STATUS enum scarp_status scarpi_recipe_run_wholes(struct recipe_machine *m,
+                                                       const struct recipe_evaluation *call);
+
+/* Computes the other outputs. */
+KEEP_STATUS enum scarp_status scarpi_recipe_run_grid(struct recipe_machine *m,
+                                                     const struct recipe_evaluation *call);
+
+/* Whether all coordinates are finite. Others may be NaN along axes on which nothing depends. */
+bool scarpi_recipe_is_finite(const struct scarp_grid *grid, int dimensions);
+
+/* Whether rows of the grid of a call lie one behind the other: slices may have gaps. */
+bool scarpi_recipe_has_no_gaps(const struct recipe_evaluation *call);
 
 #endif

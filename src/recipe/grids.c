@@ -10,7 +10,7 @@
  *
  * An output that is one noise, at the places of the points, is one call.
  */
-#include "grids.h"
+#include "evaluate.h"
 
 #include <math.h>
 #include <string.h>

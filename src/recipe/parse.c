@@ -13,7 +13,6 @@
  * reader goes on at the next line of the text that begins with a letter, so that one call finds all
  * errors.
  */
-#include "parse.h"
 
 #include "reader.h"
 #include "words.h"

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "../plan/kept.h"
 #include "../plan/plan.h"
 #include "graph.h"
 
@@ -11,6 +12,9 @@
 #define SLOTS (RECIPE_NOISES * KINDS)
 
 #define ALIGNMENT _Alignof(struct scarp_plan)
+
+_Static_assert(sizeof(struct kept) % ALIGNMENT == 0 && sizeof(struct scarp_octave) % ALIGNMENT == 0,
+               "plans follow each other");
 
 /* "SCRR" and the version: octaves may differ between versions. */
 #define MARK                                                                                       \

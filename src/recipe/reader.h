@@ -59,4 +59,7 @@ int scarpi_reader_expression(struct recipe_reader *r);
    [10^-60, 10^60]. */
 size_t scarpi_read_number(const char *text, size_t length, double *value);
 
+/* Reads the text in recipe->text. Statements with an error have the expression -1. */
+void scarpi_recipe_read(struct recipe *recipe, struct recipe_errors *errors);
+
 #endif

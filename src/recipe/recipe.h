@@ -14,7 +14,7 @@
  *                      queries.c: what they read
  *     schedule.c       nodes -> steps and registers
  *     combine.c        the calls of functions that combine fields
- *     skips.c          what need not be computed, since bounds say so
+ *     guards.c         what may be left out; skips.c: what bounds leave out of a chunk
  *     evaluate.c       steps over chunks of points; grids.c: over pieces of grids
  *     positions.c      one step of a node that has a place; coordinates.c: where that is;
  *                      operations.c: of another node; machine.c: where samples are

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * From nodes to steps: which, in which order, in which registers, and which may be left out.
+ * From nodes to steps: which, in which order, in which registers, and which may be left out, which
+ * guards.c finds.
  */
 #ifndef SCARP_RECIPE_SCHEDULE_H
 #define SCARP_RECIPE_SCHEDULE_H

@@ -313,10 +313,10 @@ mutant(chain.zero_slope IN kernel/chain.h TEXT [[+ vf_term(a.value, b.member);]]
        BECOMES [[+ (MUTANT ? a.value * b.member : vf_term(a.value, b.member));]] SEEN_BY chain)
 mutant(chain.nearer IN kernel/chain.h TEXT [[vm_less(vf_set(0.5f), share.value)]]
        BECOMES [[vm_less(vf_set(MUTANT ? 0.25f : 0.5f), share.value)]] SEEN_BY chain)
-mutant(chain.nan IN kernel/chain.h TEXT [[(vu)(greater ? a < b : b < a) | (vu)(b != b)]]
+mutant(chain.nan IN kernel/chain_partials.h TEXT [[(vu)(greater ? a < b : b < a) | (vu)(b != b)]]
        BECOMES [[(vu)(greater ? a < b : b < a) | (MUTANT ? vu_set(0) : (vu)(b != b))]]
        SEEN_BY chain)
-mutant(chain.smooth IN kernel/chain.h TEXT [[.b = (vf)vu_choose(second, (vu)near, (vu)half)]]
+mutant(chain.smooth IN kernel/chain_partials.h TEXT [[.b = (vf)vu_choose(second, (vu)near, (vu)half)]]
        BECOMES [[.b = (vf)vu_choose(second, (vu)near, (vu)(MUTANT ? 1.0f - near : half))]]
        SEEN_BY chain)
 mutant(chain.in_place IN kernel/chain.h TEXT [[count, room.result[m]);]]
